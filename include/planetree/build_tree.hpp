@@ -1,0 +1,66 @@
+#pragma once
+
+#include <planetree/kd_tree.hpp>
+#include <planetree/mesh/triangle_mesh.hpp>
+#include <planetree/scene.hpp>
+#include <planetree/split/build_options.hpp>
+
+#include <concepts>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// `buildTree`, one overload for each way to hand over objects.
+///
+/// What comes by value (a vector, a `TriangleMesh`) is owned by the tree; move it in to avoid a
+/// copy. What comes as a view (a span, a `TriangleMeshView`) stays the caller's and must outlive the
+/// tree unchanged. A scene is a mixture of both.
+///
+/// Objects that cannot be hit (bad indices, coordinates that are not finite, null pointers) are left
+/// out, counted and named in `tree.report()`; the others keep their numbers. Without any object the
+/// tree is one empty leaf.
+///
+/// Throws `Error` with `InvalidOption` for an option out of range, `CapacityExceeded` for more than
+/// 2^32 - 2 objects, 2^30 - 1 references or nodes, and whatever a shape's own `bounds` and
+/// `clippedBounds` throw. Takes O(N log^2 N) time. Uses `BuildOptions::threadCount` threads; the tree
+/// is the same for any number. Several trees may be built at once.
+namespace planetree {
+
+template <Object O>
+[[nodiscard]] KdTree<O> buildTree(std::vector<O> objects, const BuildOptions& options = {}) {
+  std::vector<detail::GeometryEntry<ScalarOf<O>>> entries;
+  entries.push_back(detail::ownedEntry(std::move(objects)));
+  return KdTree<O>(detail::buildTreeData(std::move(entries), options));
+}
+
+template <Object O>
+[[nodiscard]] KdTree<O> buildTree(std::span<const O> objects, const BuildOptions& options = {}) {
+  std::vector<detail::GeometryEntry<ScalarOf<O>>> entries;
+  entries.push_back(detail::viewedEntry(objects));
+  return KdTree<O>(detail::buildTreeData(std::move(entries), options));
+}
+
+template <std::floating_point T>
+[[nodiscard]] KdTree<Face<T>> buildTree(TriangleMesh<T> mesh, const BuildOptions& options = {}) {
+  std::vector<detail::GeometryEntry<T>> entries;
+  entries.push_back(detail::ownedEntry(std::move(mesh)));
+  return KdTree<Face<T>>(detail::buildTreeData(std::move(entries), options));
+}
+
+template <std::floating_point T>
+[[nodiscard]] KdTree<Face<T>> buildTree(TriangleMeshView<T> mesh,
+                                        const BuildOptions& options = {}) {
+  std::vector<detail::GeometryEntry<T>> entries;
+  entries.push_back(detail::viewedEntry(mesh));
+  return KdTree<Face<T>>(detail::buildTreeData(std::move(entries), options));
+}
+
+template <std::floating_point T>
+[[nodiscard]] KdTree<AnyObject<T>> buildTree(const Scene<T>& scene,
+                                             const BuildOptions& options = {}) {
+  const auto entries = scene.entries();
+  return KdTree<AnyObject<T>>(
+      detail::buildTreeData(std::vector(entries.begin(), entries.end()), options));
+}
+
+}  // namespace planetree

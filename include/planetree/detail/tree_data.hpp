@@ -1,0 +1,47 @@
+#pragma once
+
+#include <planetree/detail/geometry_entry.hpp>
+#include <planetree/geometry/box3.hpp>
+#include <planetree/node/node.hpp>
+#include <planetree/split/build_options.hpp>
+#include <planetree/split/build_report.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace planetree::detail {
+
+/// Everything a tree is made of, whatever its objects. Made by `buildTreeData`, never changed after.
+template <class T>
+struct TreeData {
+  std::vector<Node> nodes;                 ///< at least one
+  std::vector<std::uint32_t> references;   ///< object numbers; each leaf names a sorted run
+  std::vector<GeometryEntry<T>> geometries;
+  Box3 bounds;                             ///< of all objects in the tree; empty without any
+  BuildOptions options;
+  BuildReport report;
+};
+
+/// The geometry that an object number belongs to.
+template <class T>
+[[nodiscard]] std::uint32_t geometryOf(std::span<const GeometryEntry<T>> geometries,
+                                       std::uint32_t object) noexcept {
+  std::uint32_t first = 0;
+  auto last = static_cast<std::uint32_t>(geometries.size());
+  while (last - first > 1) {
+    const std::uint32_t middle = first + (last - first) / 2;
+    (geometries[middle].firstObject <= object ? first : last) = middle;
+  }
+  return first;
+}
+
+/// Builds the tree of all objects of the geometries, numbered in their order.
+template <class T>
+[[nodiscard]] TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries,
+                                        const BuildOptions& options);
+extern template TreeData<float> buildTreeData<float>(std::vector<GeometryEntry<float>>,
+                                                     const BuildOptions&);
+extern template TreeData<double> buildTreeData<double>(std::vector<GeometryEntry<double>>,
+                                                       const BuildOptions&);
+
+}  // namespace planetree::detail

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <planetree/split/cost_model.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace planetree {
+
+/// Which side of a split plane gets the objects that lie in it.
+enum class PlanarRule : std::uint8_t {
+  CheaperSide,  ///< whichever side costs less
+  NormalSign,   ///< left if the normal's component along the axis is negative, else right
+};
+
+/// How `buildTree` builds. The defaults give the fastest rays; `textbook()` the rules as taught.
+struct BuildOptions {
+  /// A cell with this many objects or fewer becomes a leaf. May be 0.
+  std::uint32_t leafSize = 2;
+
+  /// The number of levels after which every cell becomes a leaf; the root is level 1, so a limit of
+  /// 1 makes the whole tree one leaf. From 1 to `kMaxTreeDepth`. Unset: 8 + 1.3 log2(objects), the
+  /// field's default.
+  std::optional<std::uint32_t> depthLimit;
+
+  CostModel cost;
+
+  /// Make a leaf where no split is expected to be cheaper than the leaf. Without it only `leafSize`
+  /// and `depthLimit` stop.
+  bool stopsByCost = true;
+
+  /// Let a split leave one side empty, to cut off empty space. Without it such a split makes a leaf.
+  bool allowsEmptyCells = true;
+
+  /// Count an object only in the cells that its surface touches, not in all that its box touches
+  /// ("perfect splits"; Havran and Bittner, "On improving kd-trees for ray shooting", WSCG 2002).
+  bool clipsReferences = true;
+
+  PlanarRule planarRule = PlanarRule::CheaperSide;
+
+  /// Threads to build with; 0 means as many as the machine has. The tree is the same for any number.
+  /// The work runs in an arena of its own and does not mix with the caller's oneTBB tasks.
+  std::uint32_t threadCount = 0;
+
+  /// The rules of the textbook to the letter: the plane with the smallest (nL AL + nR AR) / A wins,
+  /// whole boxes are counted, an empty side makes a leaf, and only `leafSize` (10) and `depthLimit`
+  /// (15) stop. For teaching and as a yardstick: cutting off empty space is often cheapest, so that
+  /// these rules end early with large leaves, up to a single leaf for everything.
+  [[nodiscard]] static constexpr BuildOptions textbook() noexcept {
+    BuildOptions options;
+    options.leafSize = 10;
+    options.depthLimit = 15;
+    options.cost = {.traversalCost = 0.0, .intersectionCost = 1.0, .emptyBonus = 0.0};
+    options.stopsByCost = false;
+    options.allowsEmptyCells = false;
+    options.clipsReferences = false;
+    options.planarRule = PlanarRule::NormalSign;
+    return options;
+  }
+};
+
+}  // namespace planetree
