@@ -1,0 +1,48 @@
+#pragma once
+
+#include <planetree/geometry/vec3.hpp>
+
+#include <cstdint>
+
+namespace planetree::render {
+
+/// Two numbers in [0, 1).
+struct Point2 {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Where one sample of a pixel looks: a place within the pixel and one for a direction.
+struct SamplePoint {
+  Point2 film;
+  Point2 direction;
+};
+
+/// The low-discrepancy points of a picture. Every sample is a function of seed, pixel and number
+/// alone, so a picture is the same whatever thread draws which part of it.
+///
+/// The points are Sobol's first two dimensions with the hash-based Owen scrambling of Burley,
+/// "Practical hash-based Owen scrambling", JCGT 2020, once for the film and once, differently
+/// shuffled, for the direction. Unlike there, pixels do not take a sequence each: along a Morton
+/// curve, neighbours take consecutive parts of one sequence, which makes their errors differ and so
+/// less visible (Ahmed and Wonka, "Screen-space blue-noise diffusion of Monte Carlo sampling error
+/// via hierarchical ordering of pixels", ACM TOG 2020).
+class SamplePoints {
+ public:
+  SamplePoints(std::uint32_t samplesPerPixel, std::uint64_t seed) noexcept
+      : samplesPerPixel_(samplesPerPixel), seed_(seed) {}
+
+  /// Best spread if the number of samples is a power of two.
+  [[nodiscard]] SamplePoint at(std::uint32_t pixelX, std::uint32_t pixelY,
+                               std::uint32_t sample) const noexcept;
+
+ private:
+  std::uint32_t samplesPerPixel_;
+  std::uint64_t seed_;
+};
+
+/// A unit direction around the unit vector `normal`, whose density is proportional to the cosine of
+/// the angle between the two.
+[[nodiscard]] Vec3f cosineDistributed(const Vec3f& normal, const Point2& point) noexcept;
+
+}  // namespace planetree::render

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/shading/shading.hpp"
+
+#include <planetree/geometry/vec3.hpp>
+
+namespace planetree::render {
+
+/// Depth along the view direction as grey: the nearest surface is white, the farthest dark, and
+/// what is not there is black. The range is that of the surfaces in the picture.
+class Depth final : public Shading {
+ public:
+  explicit Depth(const Vec3f& viewDirection) : viewDirection_(viewDirection) {}
+
+  [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
+                                 const Point2& direction) const noexcept override;
+  [[nodiscard]] DevelopedImage develop(const Film& film) const override;
+
+ private:
+  Vec3f viewDirection_;
+};
+
+}  // namespace planetree::render

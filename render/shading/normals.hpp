@@ -1,0 +1,15 @@
+#pragma once
+
+#include "render/shading/shading.hpp"
+
+namespace planetree::render {
+
+/// The geometric normals as colours: 0.5 + 0.5 n, for the side that faces the viewer.
+class Normals final : public Shading {
+ public:
+  [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
+                                 const Point2& direction) const noexcept override;
+  [[nodiscard]] DevelopedImage develop(const Film& film) const override;
+};
+
+}  // namespace planetree::render
