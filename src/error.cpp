@@ -5,17 +5,22 @@ namespace {
 
 std::string describe(const std::string& problem, const std::string& advice,
                      const Error::Place& place) {
-  std::string text;
-  if (!place.file.empty()) {
-    text += place.file;
-    if (place.line != Error::kNone) text += ":" + std::to_string(place.line);
-    text += ": ";
-  } else if (place.line != Error::kNone) {
-    text += "line " + std::to_string(place.line) + ": ";
+  std::string text = place.file;
+  if (place.line != Error::kNone) {
+    text += text.empty() ? "line " : ":";
+    text += std::to_string(place.line);
   }
-  if (place.face != Error::kNone) text += "face " + std::to_string(place.face) + ": ";
+  if (!text.empty()) text += ": ";
+  if (place.face != Error::kNone) {
+    text += "face ";
+    text += std::to_string(place.face);
+    text += ": ";
+  }
   text += problem;
-  if (!advice.empty()) text += ". " + advice;
+  if (!advice.empty()) {
+    text += ". ";
+    text += advice;
+  }
   return text;
 }
 

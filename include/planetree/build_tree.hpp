@@ -13,17 +13,17 @@
 /// `buildTree`, one overload for each way to hand over objects.
 ///
 /// What comes by value (a vector, a `TriangleMesh`) is owned by the tree; move it in to avoid a
-/// copy. What comes as a view (a span, a `TriangleMeshView`) stays the caller's and must outlive the
-/// tree unchanged. A scene is a mixture of both.
+/// copy. What comes as a view (a span, a `TriangleMeshView`) stays the caller's and must outlive
+/// the tree unchanged. A scene is a mixture of both.
 ///
-/// Objects that cannot be hit (bad indices, coordinates that are not finite, null pointers) are left
-/// out, counted and named in `tree.report()`; the others keep their numbers. Without any object the
-/// tree is one empty leaf.
+/// Objects that cannot be hit (bad indices, coordinates that are not finite, null pointers) are
+/// left out, counted and named in `tree.report()`; the others keep their numbers. Without any
+/// object the tree is one empty leaf.
 ///
 /// Throws `Error` with `InvalidOption` for an option out of range, `CapacityExceeded` for more than
 /// 2^32 - 2 objects, 2^30 - 1 references or nodes, and whatever a shape's own `bounds` and
-/// `clippedBounds` throw. Takes O(N log^2 N) time. Uses `BuildOptions::threadCount` threads; the tree
-/// is the same for any number. Several trees may be built at once.
+/// `clippedBounds` throw. Takes O(N log^2 N) time. Uses `BuildOptions::threadCount` threads; the
+/// tree is the same for any number. Several trees may be built at once.
 namespace planetree {
 
 template <Object O>

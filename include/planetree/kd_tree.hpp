@@ -23,9 +23,9 @@ namespace planetree {
 /// A kd-tree over objects, made by `buildTree` and never changed after. It answers which object a
 /// ray hits first, and whether it hits any.
 ///
-/// Every query is `noexcept`, allocates nothing, and may be made from any number of threads at once.
-/// Copies are cheap: they share one tree. The coordinates within which no hit is missed are in
-/// docs/limits.md.
+/// Every query is `noexcept`, allocates nothing, and may be made from any number of threads at
+/// once. Copies are cheap: they share one tree. The coordinates within which no hit is missed are
+/// in docs/limits.md.
 template <Object O>
 class KdTree {
  public:
@@ -40,8 +40,8 @@ class KdTree {
   // --- queries ---
 
   /// The nearest hit with t in [ray.tMin, ray.tMax], or nothing. Of hits at the same t the one with
-  /// the lower (geometry, primitive, part) wins: the answer is bit for bit what testing every object
-  /// one by one would give, whatever the build options were.
+  /// the lower (geometry, primitive, part) wins: the answer is bit for bit what testing every
+  /// object one by one would give, whatever the build options were.
   [[nodiscard]] std::optional<Hit<Scalar>> findIntersection(
       const Ray<Scalar>& ray, const QueryOptions& options = {}) const noexcept {
     return planetree::findIntersection(view(), ray, options);
@@ -117,8 +117,8 @@ class KdTree {
   [[nodiscard]] std::span<const Node> nodes() const noexcept { return data_->nodes; }
 
   /// The search below one node of this tree, under the names of the algorithm as it is taught:
-  /// hits with t in [tMin, tMax] that come before `i` replace it, and the answer is whether one did.
-  /// See split_node_intersection.hpp for the steps of a split.
+  /// hits with t in [tMin, tMax] that come before `i` replace it, and the answer is whether one
+  /// did. See split_node_intersection.hpp for the steps of a split.
   bool findIntersection(const Node& node, const Ray<Scalar>& r, Hit<Scalar>& i, Scalar tMin,
                         Scalar tMax) const noexcept {
     return node.isLeaf() ? planetree::findIntersection(node.leaf(), view(), r, i, tMin, tMax)

@@ -26,7 +26,8 @@
 /// `intersect` returns the nearest hit with t in the closed interval [tMin, tMax], or nothing. It
 /// looks at the ray's origin and direction only; the interval comes as arguments. Three things must
 /// hold:
-///  - the hits do not depend on the interval: compute all roots, then choose. Then asking again from
+///  - the hits do not depend on the interval: compute all roots, then choose. Then asking again
+///  from
 ///    `nextUp(hit.t)` finds the next one, and neither skips nor repeats any.
 ///  - the point at the returned t lies in `bounds()`, but for the rounding of a few operations on
 ///    numbers as large as the distance from the origin (docs/numerics.md has the exact allowance).
@@ -37,7 +38,8 @@
 ///  - `Box3 clippedBounds(const Box3& cell) const` bounds the part of the shape inside the closed
 ///    cell, rounded outward; an empty box says that the shape does not touch the cell. With it the
 ///    tree keeps the shape out of the cells that only its box touches.
-///  - `int planarSide(Axis axis) const` is the sign of the component of the normal along `axis`, for
+///  - `int planarSide(Axis axis) const` is the sign of the component of the normal along `axis`,
+///  for
 ///    flat shapes. The textbook rules put a shape that lies in a split plane left of it if the sign
 ///    is negative, and right of it otherwise.
 ///
@@ -47,12 +49,11 @@ namespace planetree {
 
 template <class S>
 concept Shape = std::floating_point<typename S::Scalar> &&
-                requires(const S& shape, const Ray<typename S::Scalar>& ray, typename S::Scalar t) {
-                  { shape.bounds() } -> std::convertible_to<Box3>;
-                  {
-                    shape.intersect(ray, t, t)
-                    } noexcept -> std::same_as<std::optional<Hit<typename S::Scalar>>>;
-                };
+    requires(const S& shape, const Ray<typename S::Scalar>& ray, typename S::Scalar t) {
+  { shape.bounds() } -> std::convertible_to<Box3>;
+  { shape.intersect(ray, t, t) }
+  noexcept->std::same_as<std::optional<Hit<typename S::Scalar>>>;
+};
 
 template <class S>
 concept ShapeWithClippedBounds = Shape<S> && requires(const S& shape, const Box3& cell) {
@@ -90,15 +91,15 @@ struct PointerTraits {
 };
 
 template <class P>
-  requires ObjectTraits<std::remove_const_t<P>>::kIsObject
-struct PointerTraits<P> {
+requires ObjectTraits<std::remove_const_t<P>>::kIsObject struct PointerTraits<P> {
   using Pointee = ObjectTraits<std::remove_const_t<P>>;
   static constexpr bool kIsObject = true;
   using Scalar = typename Pointee::Scalar;
 
   template <class Pointer, class Visitor>
   static void visit(const Pointer& pointer, Visitor&& visitor) {
-    if (pointer) Pointee::visit(*pointer, std::forward<Visitor>(visitor));
+    if (pointer)
+      Pointee::visit(*pointer, std::forward<Visitor>(visitor));
   }
 };
 
@@ -110,8 +111,8 @@ template <class P>
 struct ObjectTraits<std::shared_ptr<P>> : PointerTraits<P> {};
 
 template <class First, class... Rest>
-  requires(ObjectTraits<First>::kIsObject && ... && ObjectTraits<Rest>::kIsObject)
-struct ObjectTraits<std::variant<First, Rest...>> {
+requires(ObjectTraits<First>::kIsObject&&...&&
+             ObjectTraits<Rest>::kIsObject) struct ObjectTraits<std::variant<First, Rest...>> {
   static constexpr bool kIsObject = true;
   using Scalar = typename ObjectTraits<First>::Scalar;
   static_assert((std::same_as<Scalar, typename ObjectTraits<Rest>::Scalar> && ...),
@@ -119,7 +120,8 @@ struct ObjectTraits<std::variant<First, Rest...>> {
 
   template <class Visitor>
   static void visit(const std::variant<First, Rest...>& object, Visitor&& visitor) {
-    if (object.valueless_by_exception()) return;
+    if (object.valueless_by_exception())
+      return;
     std::visit(
         [&]<class O>(const O& inner) {
           ObjectTraits<O>::visit(inner, std::forward<Visitor>(visitor));
@@ -165,7 +167,8 @@ template <Object O>
 [[nodiscard]] int objectPlanarSide(const O& object, Axis axis) {
   int side = 0;
   detail::ObjectTraits<O>::visit(object, [&]<class S>(const S& shape) {
-    if constexpr (ShapeWithPlanarSide<S>) side = shape.planarSide(axis);
+    if constexpr (ShapeWithPlanarSide<S>)
+      side = shape.planarSide(axis);
   });
   return side;
 }

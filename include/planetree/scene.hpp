@@ -39,19 +39,19 @@ class Scene {
   std::uint32_t add(TriangleMeshView<T> mesh, const GeometryOptions& options = {});
 
   template <Object O>
-    requires std::same_as<ScalarOf<O>, T>
-  std::uint32_t add(std::vector<O> objects, const GeometryOptions& options = {}) {
+  requires std::same_as<ScalarOf<O>, T> std::uint32_t add(std::vector<O> objects,
+                                                          const GeometryOptions& options = {}) {
     return add(detail::ownedEntry(std::move(objects)), options);
   }
   template <Object O>
-    requires std::same_as<ScalarOf<O>, T>
-  std::uint32_t add(std::span<const O> objects, const GeometryOptions& options = {}) {
+  requires std::same_as<ScalarOf<O>, T> std::uint32_t add(std::span<const O> objects,
+                                                          const GeometryOptions& options = {}) {
     return add(detail::viewedEntry(objects), options);
   }
   /// A geometry of a single object.
   template <Object O>
-    requires std::same_as<ScalarOf<O>, T>
-  std::uint32_t add(O object, const GeometryOptions& options = {}) {
+  requires std::same_as<ScalarOf<O>, T> std::uint32_t add(O object,
+                                                          const GeometryOptions& options = {}) {
     std::vector<O> objects;
     objects.push_back(std::move(object));
     return add(std::move(objects), options);

@@ -1,1 +1,86 @@
-// to come
+#include <planetree/detail/geometry_entry.hpp>
+#include <planetree/mesh/clip_triangle.hpp>
+#include <planetree/mesh/triangle_intersection.hpp>
+
+#include <optional>
+
+namespace planetree::detail {
+namespace {
+
+/// Why a face cannot be hit, if so. A face whose corners differ but lie on a line stays: rounding
+/// may give it the tiny area by which a T-junction would otherwise leak.
+template <class T>
+std::optional<SkipReason> skipReasonOf(const TriangleMeshView<T>& mesh, std::uint32_t face) {
+  for (const std::uint32_t vertex : mesh.indices(face)) {
+    if (vertex >= mesh.vertexCount())
+      return SkipReason::IndexOutOfRange;
+  }
+  const auto [a, b, c] = mesh.corners(face);
+  if (!Face<T>(mesh, face).isUsable())
+    return SkipReason::NotFinite;
+  if (a == b || b == c || c == a)
+    return SkipReason::RepeatedCorner;
+  return std::nullopt;
+}
+
+template <class T>
+void boundFaces(const void* range, std::uint32_t first, std::span<BoundedObject> objects) {
+  const auto& mesh = *static_cast<const TriangleMeshView<T>*>(range);
+  for (BoundedObject& object : objects) {
+    const std::uint32_t face = first++;
+    object.skipReason = skipReasonOf(mesh, face);
+    if (!object.skipReason)
+      object.reference = boundObject(mesh[face]).reference;
+  }
+}
+
+template <class T>
+LeafAnswer findNearestFace(const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
+                           T tMax, Hit<T>& hit) noexcept {
+  const auto& mesh = *static_cast<const TriangleMeshView<T>*>(range);
+  const LeafAnswer answer = findNearestInRun<T>(
+      run, tMin, tMax, hit, [&](std::uint32_t face, T from, T to) -> std::optional<Hit<T>> {
+        const auto [a, b, c] = mesh.corners(face);
+        const auto found = intersectTriangle(ray, a, b, c, from, to);
+        if (!found)
+          return std::nullopt;
+        Hit<T> candidate;
+        candidate.t = found->t;
+        candidate.u = found->u;
+        candidate.v = found->v;
+        return candidate;
+      });
+  if (answer.found) {
+    const auto [a, b, c] = mesh.corners(hit.primitive);
+    hit.normal = triangleNormal(a, b, c, ray.ray.direction);
+  }
+  return answer;
+}
+
+template <class T>
+LeafAnswer findAnyFace(const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
+                       T tMax) noexcept {
+  const auto& mesh = *static_cast<const TriangleMeshView<T>*>(range);
+  return findAnyInRun<T>(run, tMin, tMax, [&](std::uint32_t face, T from, T to) {
+    const auto [a, b, c] = mesh.corners(face);
+    return intersectTriangle(ray, a, b, c, from, to).has_value();
+  });
+}
+
+}  // namespace
+
+template <class T>
+const ObjectTable<T>& faceTable() noexcept {
+  static constexpr ObjectTable<T> kFaceTable = {
+      .bound = boundFaces<T>,
+      .clip = kObjectTable<TriangleMeshView<T>, T>.clip,
+      .findNearest = findNearestFace<T>,
+      .findAny = findAnyFace<T>,
+  };
+  return kFaceTable;
+}
+
+template const ObjectTable<float>& faceTable<float>() noexcept;
+template const ObjectTable<double>& faceTable<double>() noexcept;
+
+}  // namespace planetree::detail

@@ -1,1 +1,113 @@
-// to come
+#include <planetree/mesh/triangle_intersection.hpp>
+
+#include "mesh/exact_arithmetic.hpp"
+
+namespace planetree {
+namespace {
+
+/// A corner as the ray sees it: the ray is the third axis, its origin the origin.
+template <class T>
+struct ShearedCorner {
+  T x;
+  T y;
+  T z;
+};
+
+template <class T>
+ShearedCorner<T> shearCorner(const ShearedRay<T>& ray, const Vec3<T>& corner) noexcept {
+  const Vec3<T> relative = corner - ray.ray.origin;
+  const T z = relative[ray.kz];
+  return {relative[ray.kx] - ray.shearX * z, relative[ray.ky] - ray.shearY * z, z};
+}
+
+/// The weights of the corners, not yet divided by their sum.
+template <class W>
+struct Weights {
+  W a;
+  W b;
+  W c;
+
+  [[nodiscard]] bool hasZero() const noexcept { return a == W(0) || b == W(0) || c == W(0); }
+  /// The origin lies outside the projected triangle if two edges see it on different sides.
+  [[nodiscard]] bool hasMixedSigns() const noexcept {
+    return (a < W(0) || b < W(0) || c < W(0)) && (a > W(0) || b > W(0) || c > W(0));
+  }
+};
+
+template <class T>
+Weights<T> roundedWeights(const ShearedCorner<T>& a, const ShearedCorner<T>& b,
+                          const ShearedCorner<T>& c) noexcept {
+  return {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
+}
+
+template <class T>
+Weights<double> accurateWeights(const ShearedCorner<T>& a, const ShearedCorner<T>& b,
+                                const ShearedCorner<T>& c) noexcept {
+  return {detail::differenceOfProducts(c.x, b.y, c.y, b.x),
+          detail::differenceOfProducts(a.x, c.y, a.y, c.x),
+          detail::differenceOfProducts(b.x, a.y, b.y, a.x)};
+}
+
+}  // namespace
+
+template <class T>
+std::optional<TriangleIntersection<T>> intersectTriangle(const ShearedRay<T>& ray, const Vec3<T>& a,
+                                                         const Vec3<T>& b, const Vec3<T>& c, T tMin,
+                                                         T tMax) noexcept {
+  const ShearedCorner<T> shearedA = shearCorner(ray, a);
+  const ShearedCorner<T> shearedB = shearCorner(ray, b);
+  const ShearedCorner<T> shearedC = shearCorner(ray, c);
+
+  // Rounding is monotonic, so the sign of the difference of two rounded products is never wrong; it
+  // can only vanish. Hence the cheap weights decide unless one of them is zero.
+  const Weights<T> rounded = roundedWeights(shearedA, shearedB, shearedC);
+  const bool decided = !rounded.hasZero();
+  if (decided && rounded.hasMixedSigns())
+    return std::nullopt;
+
+  // Few triangles come this far. Their weights must be accurate relative to themselves: the rounded
+  // ones would let t wander along a sliver, away from the cells that hold the point that is hit.
+  const Weights<double> weights = accurateWeights(shearedA, shearedB, shearedC);
+  if (!decided && weights.hasMixedSigns())
+    return std::nullopt;
+  const double sum = weights.a + weights.b + weights.c;
+  if (sum == 0.0)
+    return std::nullopt;
+
+  const double z =
+      (weights.a * static_cast<double>(shearedA.z) + weights.b * static_cast<double>(shearedB.z) +
+       weights.c * static_cast<double>(shearedC.z)) /
+      sum;
+  const auto t = static_cast<T>(z / static_cast<double>(ray.ray.direction[ray.kz]));
+  // A NaN fails both comparisons.
+  if (!(t >= tMin && t <= tMax))
+    return std::nullopt;
+  return TriangleIntersection<T>{t, static_cast<T>(weights.b / sum),
+                                 static_cast<T>(weights.c / sum)};
+}
+
+template <class T>
+Vec3<T> triangleNormal(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c,
+                       const Vec3<T>& rayDirection) noexcept {
+  const auto corner = static_cast<Vec3d>(a);
+  // Edges of unit length keep the product of two tiny ones from vanishing.
+  const Vec3d edgeB = normalized(static_cast<Vec3d>(b) - corner);
+  const Vec3d edgeC = normalized(static_cast<Vec3d>(c) - corner);
+  const Vec3d normal = cross(edgeB, edgeC);
+  if (normal == Vec3d{})
+    return static_cast<Vec3<T>>(normalized(-static_cast<Vec3d>(rayDirection)));
+  return static_cast<Vec3<T>>(normalized(normal));
+}
+
+template std::optional<TriangleIntersection<float>> intersectTriangle(const ShearedRay<float>&,
+                                                                      const Vec3f&, const Vec3f&,
+                                                                      const Vec3f&, float,
+                                                                      float) noexcept;
+template std::optional<TriangleIntersection<double>> intersectTriangle(const ShearedRay<double>&,
+                                                                       const Vec3d&, const Vec3d&,
+                                                                       const Vec3d&, double,
+                                                                       double) noexcept;
+template Vec3f triangleNormal(const Vec3f&, const Vec3f&, const Vec3f&, const Vec3f&) noexcept;
+template Vec3d triangleNormal(const Vec3d&, const Vec3d&, const Vec3d&, const Vec3d&) noexcept;
+
+}  // namespace planetree

@@ -6,7 +6,8 @@ namespace planetree {
 
 template <std::floating_point T>
 void TriangleMesh<T>::addPolygon(std::span<const std::uint32_t> corners, std::uint32_t source) {
-  if (corners.size() < 3) return;
+  if (corners.size() < 3)
+    return;
   const std::size_t triangleCount = corners.size() - 2;
   const bool isOwnSource = triangleCount == 1 && source == faces.size();
   if (sourceFaces.empty() && !isOwnSource) {
@@ -16,7 +17,8 @@ void TriangleMesh<T>::addPolygon(std::span<const std::uint32_t> corners, std::ui
   const bool keepsSources = !sourceFaces.empty() || !isOwnSource;
   for (std::size_t i = 0; i < triangleCount; ++i) {
     faces.push_back({corners[0], corners[i + 1], corners[i + 2]});
-    if (keepsSources) sourceFaces.push_back(source);
+    if (keepsSources)
+      sourceFaces.push_back(source);
   }
 }
 

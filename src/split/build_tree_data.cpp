@@ -1,1 +1,112 @@
-// to come
+#include <planetree/detail/tree_data.hpp>
+#include <planetree/error.hpp>
+
+#include "node/node_array.hpp"
+#include "split/bound_objects.hpp"
+#include "split/tree_builder.hpp"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+namespace planetree::detail {
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void require(bool condition, const std::string& problem, const std::string& advice) {
+  if (!condition)
+    throw Error(ErrorCode::InvalidOption, problem, advice);
+}
+
+void requireValid(const BuildOptions& options) {
+  const auto isCost = [](double cost) { return cost >= 0.0 && std::isfinite(cost); };
+  const CostModel& cost = options.cost;
+  require(!options.depthLimit || (*options.depthLimit >= 1 && *options.depthLimit <= kMaxTreeDepth),
+          "depthLimit is out of range",
+          "Give a depth limit from 1 to " + std::to_string(kMaxTreeDepth) +
+              ", or none to let it grow with the scene.");
+  require(isCost(cost.traversalCost), "cost.traversalCost is negative or not finite",
+          "Give a traversal cost of 0 or more, such as 1.");
+  require(isCost(cost.intersectionCost), "cost.intersectionCost is negative or not finite",
+          "Give an intersection cost of 0 or more, such as 1.5.");
+  require(cost.emptyBonus >= 0.0 && cost.emptyBonus < 1.0, "cost.emptyBonus is out of range",
+          "Give an empty bonus from 0 to less than 1, such as 0.2.");
+}
+
+/// Havran and Bittner, "On improving kd-trees for ray shooting", WSCG 2002: 8 + 1.3 log2 N.
+std::uint32_t depthLimitFor(const BuildOptions& options, std::size_t objectCount) {
+  if (options.depthLimit)
+    return *options.depthLimit;
+  const double levels =
+      8.0 + 1.3 * std::log2(static_cast<double>(std::max<std::size_t>(objectCount, 1)));
+  return std::min(static_cast<std::uint32_t>(std::lround(levels)), kMaxTreeDepth);
+}
+
+template <class T>
+ClipReferences clipperFor(const std::vector<GeometryEntry<T>>& geometries) {
+  return [&geometries](const Box3& cell, std::span<Reference> references) {
+    while (!references.empty()) {
+      const GeometryEntry<T>& geometry =
+          geometries[geometryOf<T>(geometries, references.front().object)];
+      const std::uint64_t end = std::uint64_t{geometry.firstObject} + geometry.size;
+      const auto run = std::partition_point(references.begin(), references.end(),
+                                            [&](const Reference& r) { return r.object < end; });
+      const auto count = static_cast<std::size_t>(run - references.begin());
+      geometry.table->clip(geometry.range, geometry.firstObject, cell, references.first(count));
+      references = references.subspan(count);
+    }
+  };
+}
+
+}  // namespace
+
+template <class T>
+TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildOptions& options) {
+  requireValid(options);
+  const Stopwatch total;
+  TreeData<T> tree;
+  tree.options = options;
+  tree.geometries = std::move(geometries);
+
+  const auto build = [&] {
+    BoundedObjects objects = boundObjects<T>(tree.geometries, tree.report);
+    tree.bounds = objects.bounds;
+    tree.report.boundSeconds = total.seconds();
+
+    const Stopwatch splitting;
+    const ClipReferences clip = clipperFor(tree.geometries);
+    const TreeBuilder builder(options, depthLimitFor(options, objects.references.size()), clip);
+    NodeArray array;
+    builder.buildTree(std::move(objects.references), tree.bounds, 1, array);
+    tree.nodes = array.takeNodes();
+    tree.references = array.takeReferences();
+    tree.nodes.shrink_to_fit();
+    tree.references.shrink_to_fit();
+    tree.report.splitSeconds = splitting.seconds();
+  };
+  // An arena of its own keeps the caller's tasks out of the build, and the build out of them.
+  tbb::task_arena arena(options.threadCount == 0 ? tbb::task_arena::automatic
+                                                 : static_cast<int>(options.threadCount));
+  arena.execute(build);
+  tree.report.totalSeconds = total.seconds();
+  return tree;
+}
+
+template TreeData<float> buildTreeData<float>(std::vector<GeometryEntry<float>>,
+                                              const BuildOptions&);
+template TreeData<double> buildTreeData<double>(std::vector<GeometryEntry<double>>,
+                                                const BuildOptions&);
+
+}  // namespace planetree::detail

@@ -1,1 +1,46 @@
-// to come
+#include <planetree/traversal/find_intersection.hpp>
+
+#include "traversal/traverse.hpp"
+
+namespace planetree {
+namespace {
+
+template <class Goal, class T>
+bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
+            StepCounts* steps, Hit<T>& hit) noexcept {
+  detail::Query<T> query(tree, ray, ray.tMin, ray.tMax);
+  query.mask = options.mask;
+  const Node& root = tree.nodes.front();
+  const Interval<T> part = query.partInsideTree();
+  return steps ? detail::traverse<Goal>(root, query, part, hit, detail::Counting{*steps})
+               : detail::traverse<Goal>(root, query, part, hit, detail::NoCounting{});
+}
+
+}  // namespace
+
+template <class T>
+std::optional<Hit<T>> findIntersection(const TreeView<T>& tree, const Ray<T>& ray,
+                                       const QueryOptions& options, StepCounts* steps) noexcept {
+  Hit<T> hit;
+  if (!search<detail::NearestHit>(tree, ray, options, steps, hit))
+    return std::nullopt;
+  return hit;
+}
+
+template <class T>
+bool isOccluded(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
+                StepCounts* steps) noexcept {
+  Hit<T> unused;
+  return search<detail::AnyHit>(tree, ray, options, steps, unused);
+}
+
+template std::optional<Hitf> findIntersection(const TreeView<float>&, const Rayf&,
+                                              const QueryOptions&, StepCounts*) noexcept;
+template std::optional<Hitd> findIntersection(const TreeView<double>&, const Rayd&,
+                                              const QueryOptions&, StepCounts*) noexcept;
+template bool isOccluded(const TreeView<float>&, const Rayf&, const QueryOptions&,
+                         StepCounts*) noexcept;
+template bool isOccluded(const TreeView<double>&, const Rayd&, const QueryOptions&,
+                         StepCounts*) noexcept;
+
+}  // namespace planetree

@@ -32,8 +32,8 @@ struct LeafRun {
 };
 
 /// How the compiled core reaches objects whose type it does not know: plain functions that take the
-/// address of an object range. Called once per batch while building and once per leaf while tracing,
-/// so that the indirect call is shared by many objects.
+/// address of an object range. Called once per batch while building and once per leaf while
+/// tracing, so that the indirect call is shared by many objects.
 template <class T>
 struct ObjectTable {
   /// Bounds the primitives `first`, `first + 1`, ...: one for each entry of `objects`. The object
@@ -44,8 +44,8 @@ struct ObjectTable {
   void (*clip)(const void* range, std::uint32_t firstObject, const Box3& cell,
                std::span<Reference> references);
 
-  /// Replaces `hit` by the first, in the order of `isBefore`, of itself and the hits of the run with
-  /// t in [tMin, tMax].
+  /// Replaces `hit` by the first, in the order of `isBefore`, of itself and the hits of the run
+  /// with t in [tMin, tMax].
   LeafAnswer (*findNearest)(const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
                             T tMax, Hit<T>& hit) noexcept;
 
@@ -54,8 +54,8 @@ struct ObjectTable {
                         T tMax) noexcept;
 };
 
-/// The same loop over a leaf for every kind of object; `intersect(primitive, tMin, tMax)` returns an
-/// optional hit without ids.
+/// The same loop over a leaf for every kind of object; `intersect(primitive, tMin, tMax)` returns
+/// an optional hit without ids.
 template <class T, class Intersect>
 LeafAnswer findNearestInRun(const LeafRun& run, T tMin, T tMax, Hit<T>& hit,
                             Intersect&& intersect) noexcept {
@@ -64,10 +64,12 @@ LeafAnswer findNearestInRun(const LeafRun& run, T tMin, T tMax, Hit<T>& hit,
   for (const std::uint32_t object : run.references) {
     const std::uint32_t primitive = object - run.firstObject;
     std::optional<Hit<T>> candidate = intersect(primitive, tMin, hit.t < tMax ? hit.t : tMax);
-    if (!candidate) continue;
+    if (!candidate)
+      continue;
     candidate->geometry = run.geometry;
     candidate->primitive = primitive;
-    if (!isBefore(*candidate, hit)) continue;
+    if (!isBefore(*candidate, hit))
+      continue;
     hit = *candidate;
     answer.found = true;
   }
@@ -94,7 +96,8 @@ template <Object O>
   Reference& reference = bounded.reference;
   reference.bounds = objectBounds(object);
   for (const Axis axis : kAxes) {
-    if (objectPlanarSide(object, axis) < 0) reference.leftSides |= 1u << static_cast<unsigned>(axis);
+    if (objectPlanarSide(object, axis) < 0)
+      reference.leftSides |= 1u << static_cast<unsigned>(axis);
   }
   if (reference.bounds == Box3{}) {
     bounded.skipReason = SkipReason::Empty;
@@ -112,7 +115,8 @@ inline constexpr ObjectTable<T> kObjectTable = {
     .bound =
         [](const void* range, std::uint32_t first, std::span<BoundedObject> objects) {
           const Range& shapes = *static_cast<const Range*>(range);
-          for (BoundedObject& object : objects) object = boundObject(shapes[first++]);
+          for (BoundedObject& object : objects)
+            object = boundObject(shapes[first++]);
         },
     .clip =
         [](const void* range, std::uint32_t firstObject, const Box3& cell,

@@ -11,13 +11,14 @@
 
 namespace planetree::detail {
 
-/// Everything a tree is made of, whatever its objects. Made by `buildTreeData`, never changed after.
+/// Everything a tree is made of, whatever its objects. Made by `buildTreeData`, never changed
+/// after.
 template <class T>
 struct TreeData {
-  std::vector<Node> nodes;                 ///< at least one
-  std::vector<std::uint32_t> references;   ///< object numbers; each leaf names a sorted run
+  std::vector<Node> nodes;                ///< at least one
+  std::vector<std::uint32_t> references;  ///< object numbers; each leaf names a sorted run
   std::vector<GeometryEntry<T>> geometries;
-  Box3 bounds;                             ///< of all objects in the tree; empty without any
+  Box3 bounds;  ///< of all objects in the tree; empty without any
   BuildOptions options;
   BuildReport report;
 };

@@ -28,7 +28,8 @@ struct Box3 {
   /// Surface area in double, so that neither huge nor tiny boxes over- or underflow. A flat box has
   /// the area of its two faces; an empty box has none.
   [[nodiscard]] constexpr double surfaceArea() const noexcept {
-    if (isEmpty()) return 0.0;
+    if (isEmpty())
+      return 0.0;
     const double x = static_cast<double>(upper.x) - static_cast<double>(lower.x);
     const double y = static_cast<double>(upper.y) - static_cast<double>(lower.y);
     const double z = static_cast<double>(upper.z) - static_cast<double>(lower.z);
@@ -37,8 +38,10 @@ struct Box3 {
 
   constexpr void extend(const Vec3f& point) noexcept {
     for (const Axis axis : kAxes) {
-      if (point[axis] < lower[axis]) lower[axis] = point[axis];
-      if (point[axis] > upper[axis]) upper[axis] = point[axis];
+      if (point[axis] < lower[axis])
+        lower[axis] = point[axis];
+      if (point[axis] > upper[axis])
+        upper[axis] = point[axis];
     }
   }
   void extend(const Vec3d& point) noexcept {
@@ -63,7 +66,8 @@ struct Box3 {
 
 /// True if every point of `inner` lies in `outer`. An empty box lies in every box.
 [[nodiscard]] constexpr bool contains(const Box3& outer, const Box3& inner) noexcept {
-  if (inner.isEmpty()) return true;
+  if (inner.isEmpty())
+    return true;
   return intersection(outer, inner) == inner;
 }
 

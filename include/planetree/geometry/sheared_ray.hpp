@@ -4,11 +4,13 @@
 #include <planetree/geometry/vec3.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace planetree {
 
-/// A ray with what the triangle test needs of it: the axes permuted so that the direction is largest
-/// along the third, and the shear that turns the direction into that axis. Made once per ray.
+/// A ray with what the triangle test needs of it: the axes permuted so that the direction is
+/// largest along the third, and the shear that turns the direction into that axis. Made once per
+/// ray.
 template <class T>
 struct ShearedRay {
   Ray<T> ray;
@@ -26,8 +28,10 @@ struct ShearedRay {
     kz = x > y ? (x > z ? Axis::X : Axis::Z) : (y > z ? Axis::Y : Axis::Z);
     kx = kz == Axis::X ? Axis::Y : kz == Axis::Y ? Axis::Z : Axis::X;
     ky = kx == Axis::X ? Axis::Y : kx == Axis::Y ? Axis::Z : Axis::X;
-    shearX = d[kx] / d[kz];
-    shearY = d[ky] / d[kz];
+    // A direction that points nowhere makes the shear NaN, and with it every test a miss.
+    const T along = std::isfinite(d[kz]) ? d[kz] : std::numeric_limits<T>::quiet_NaN();
+    shearX = d[kx] / along;
+    shearY = d[ky] / along;
   }
 };
 

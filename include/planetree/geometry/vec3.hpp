@@ -66,7 +66,8 @@ template <class T>
 template <class T>
 [[nodiscard]] Vec3<T> normalized(const Vec3<T>& a) noexcept {
   const T largest = std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z)));
-  if (!(largest > T(0)) || !std::isfinite(largest)) return a;
+  if (!(largest > T(0)) || !std::isfinite(largest))
+    return a;
   const Vec3<T> scaled = a / largest;
   return scaled / length(scaled);
 }

@@ -47,9 +47,12 @@ static_assert(offsetof(Hitd, part) == 56 && offsetof(Hitd, instance) == 60);
 /// answer to a query depends on the ray and the scene alone, never on the tree.
 template <class T>
 [[nodiscard]] constexpr bool isBefore(const Hit<T>& a, const Hit<T>& b) noexcept {
-  if (a.t != b.t) return a.t < b.t;
-  if (a.geometry != b.geometry) return a.geometry < b.geometry;
-  if (a.primitive != b.primitive) return a.primitive < b.primitive;
+  if (a.t != b.t)
+    return a.t < b.t;
+  if (a.geometry != b.geometry)
+    return a.geometry < b.geometry;
+  if (a.primitive != b.primitive)
+    return a.primitive < b.primitive;
   return a.part < b.part;
 }
 

@@ -7,7 +7,8 @@
 
 namespace planetree {
 
-/// A leaf: a run of references to objects. An eight-byte word that shares its form with `SplitNode`.
+/// A leaf: a run of references to objects. An eight-byte word that shares its form with
+/// `SplitNode`.
 class LeafNode {
  public:
   /// `firstReference` must be at most `kMaxReferenceCount`; `count` may have any value.

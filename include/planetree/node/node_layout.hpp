@@ -4,8 +4,8 @@
 
 namespace planetree {
 
-/// The most levels a tree can have. The builder's depth limit and the traversal's stack are this one
-/// constant, so that no tree can overflow the stack.
+/// The most levels a tree can have. The builder's depth limit and the traversal's stack are this
+/// one constant, so that no tree can overflow the stack.
 inline constexpr std::uint32_t kMaxTreeDepth = 64;
 
 /// The most nodes a tree can have: what the offset to a right child can count.

@@ -12,7 +12,7 @@ namespace planetree {
 /// A tree in numbers.
 struct TreeStatistics {
   std::uint64_t splitNodeCount = 0;
-  std::uint64_t leafNodeCount = 0;   ///< the empty ones included
+  std::uint64_t leafNodeCount = 0;  ///< the empty ones included
   std::uint64_t emptyLeafCount = 0;
   std::uint64_t referenceCount = 0;  ///< entries of all leaves; an object may have several
   std::uint64_t largestLeaf = 0;     ///< most references in one leaf

@@ -29,7 +29,8 @@ struct BuildOptions {
   /// and `depthLimit` stop.
   bool stopsByCost = true;
 
-  /// Let a split leave one side empty, to cut off empty space. Without it such a split makes a leaf.
+  /// Let a split leave one side empty, to cut off empty space. Without it such a split makes a
+  /// leaf.
   bool allowsEmptyCells = true;
 
   /// Count an object only in the cells that its surface touches, not in all that its box touches
@@ -38,8 +39,8 @@ struct BuildOptions {
 
   PlanarRule planarRule = PlanarRule::CheaperSide;
 
-  /// Threads to build with; 0 means as many as the machine has. The tree is the same for any number.
-  /// The work runs in an arena of its own and does not mix with the caller's oneTBB tasks.
+  /// Threads to build with; 0 means as many as the machine has. The tree is the same for any
+  /// number. The work runs in an arena of its own and does not mix with the caller's oneTBB tasks.
   std::uint32_t threadCount = 0;
 
   /// The rules of the textbook to the letter: the plane with the smallest (nL AL + nR AR) / A wins,

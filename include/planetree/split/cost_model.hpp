@@ -19,9 +19,10 @@ struct CostModel {
     return intersectionCost * static_cast<double>(count);
   }
 
-  /// Cost of a split: a ray that meets the cell meets each side with the ratio of the side's area to
-  /// that of the cell. With a traversal cost of 0, an intersection cost of 1 and no bonus it is the
-  /// textbook's `(nL AL + nR AR) / A`. A cell without area costs as if both sides were always met.
+  /// Cost of a split: a ray that meets the cell meets each side with the ratio of the side's area
+  /// to that of the cell. With a traversal cost of 0, an intersection cost of 1 and no bonus it is
+  /// the textbook's `(nL AL + nR AR) / A`. A cell without area costs as if both sides were always
+  /// met.
   [[nodiscard]] constexpr double splitCost(std::uint64_t leftCount, double leftArea,
                                            std::uint64_t rightCount, double rightArea,
                                            double cellArea) const noexcept {

@@ -9,8 +9,8 @@ namespace planetree {
 /// One entry of an object in one cell, as split search sees it: a box and a few bits, never the
 /// object. An object has one reference in each cell that it touches.
 struct Reference {
-  Box3 bounds;               ///< of the object, or of its part inside the cell
-  std::uint32_t object = 0;  ///< the tree's number of the object
+  Box3 bounds;                  ///< of the object, or of its part inside the cell
+  std::uint32_t object = 0;     ///< the tree's number of the object
   std::uint32_t leftSides = 0;  ///< bit i: the normal's component along axis i is negative
 
   [[nodiscard]] constexpr bool isPlanar(Axis axis) const noexcept {

@@ -16,8 +16,9 @@ struct SplitPlane {
   float position = 0.0f;
   std::uint64_t leftCount = 0;   ///< objects in the left child
   std::uint64_t rightCount = 0;  ///< objects in the right child; straddling ones count in both
-  Side planarSide = Side::Right;  ///< where objects in the plane go, under `PlanarRule::CheaperSide`
-  double cost = 0.0;              ///< expected cost of a ray that meets the cell
+  Side planarSide =
+      Side::Right;    ///< where objects in the plane go, under `PlanarRule::CheaperSide`
+  double cost = 0.0;  ///< expected cost of a ray that meets the cell
 };
 
 /// The part of the cell below the plane, the plane included.

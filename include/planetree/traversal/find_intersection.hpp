@@ -10,10 +10,10 @@
 
 namespace planetree {
 
-/// The nearest hit in [ray.tMin, ray.tMax], or nothing. Of hits at the same t the one with the lower
-/// (geometry, primitive, part) wins, so the answer depends on the ray and the objects alone: it is
-/// bit for bit what testing every object one by one would give. Adds to `steps` unless it is null.
-/// Any number of threads at once; no allocation.
+/// The nearest hit in [ray.tMin, ray.tMax], or nothing. Of hits at the same t the one with the
+/// lower (geometry, primitive, part) wins, so the answer depends on the ray and the objects alone:
+/// it is bit for bit what testing every object one by one would give. Adds to `steps` unless it is
+/// null. Any number of threads at once; no allocation.
 template <class T>
 [[nodiscard]] std::optional<Hit<T>> findIntersection(const TreeView<T>& tree, const Ray<T>& ray,
                                                      const QueryOptions& options = {},

@@ -33,8 +33,9 @@ template <class T>
 bool findFartherIntersection(const SplitNode& split, const TreeView<T>& tree, const Ray<T>& r,
                              Hit<T>& i, T tMin, T tMax) noexcept;
 
-/// For a ray that runs along the plane: searches, over the whole interval, the child that the ray
-/// runs in, or both if it runs within the slack of the plane.
+/// For a ray that runs (nearly) along the plane: searches, over the whole interval, the child that
+/// the ray runs in, or both if it runs within the slack of the plane. Not for other rays. The loop
+/// behind whole queries needs no such case, since preparing a ray keeps its components from zero.
 template <class T>
 bool calculateAsNearParallel(const SplitNode& split, const TreeView<T>& tree, const Ray<T>& r,
                              Hit<T>& i, T tMin, T tMax) noexcept;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <planetree/geometry/box3.hpp>
+#include <planetree/split/build_options.hpp>
+#include <planetree/split/reference.hpp>
+#include <planetree/split/split_plane.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace planetree {
+
+/// The plane that divides the cell at the smallest expected cost (`CostModel::splitCost`), of all
+/// planes through the lower and upper ends of the references' boxes on all three axes. Nothing if
+/// there is no such plane inside the cell.
+///
+/// One sweep over the sorted ends of each axis counts both sides of every candidate: O(N log N).
+/// MacDonald and Booth 1990 for the heuristic; Wald and Havran, "On building fast kd-trees for ray
+/// tracing, and on doing that in O(N log N)", IEEE Symposium on Interactive Ray Tracing 2006, for
+/// the sweep. Unlike the paper, equal costs are broken by axis, then by the lower position: the
+/// result must not depend on the order of the references.
+///
+/// Under `allowsEmptyCells` planes strictly inside the cell are candidates; without, also those on
+/// its walls, which leave one side flat, as the textbook has it. Planes outside do not divide the
+/// cell and are passed over.
+[[nodiscard]] std::optional<SplitPlane> findBestSplitPlane(std::span<const Reference> references,
+                                                           const Box3& cell,
+                                                           const BuildOptions& options);
+
+/// Whether a reference has a part below the plane, or lies in it and is given to the left.
+[[nodiscard]] bool goesLeft(const Reference& reference, const SplitPlane& plane,
+                            PlanarRule rule) noexcept;
+/// Whether a reference has a part above the plane, or lies in it and is given to the right.
+[[nodiscard]] bool goesRight(const Reference& reference, const SplitPlane& plane,
+                             PlanarRule rule) noexcept;
+
+/// How many references go left. O(N); the sweep of `findBestSplitPlane` gives the same numbers.
+[[nodiscard]] std::uint64_t countLeftObjects(std::span<const Reference> references,
+                                             const SplitPlane& plane, PlanarRule rule) noexcept;
+/// How many references go right.
+[[nodiscard]] std::uint64_t countRightObjects(std::span<const Reference> references,
+                                              const SplitPlane& plane, PlanarRule rule) noexcept;
+
+}  // namespace planetree

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <planetree/node/node.hpp>
+#include <planetree/split/reference.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace planetree::detail {
+
+/// A tree, or a part of one, while it is written: nodes depth first, and the references of their
+/// leaves. Throws `Error` with `CapacityExceeded` where an offset would not fit.
+class NodeArray {
+ public:
+  void addLeaf(std::span<const Reference> references);
+
+  /// Adds a split whose right child is not known yet, and returns where it stands.
+  [[nodiscard]] std::size_t addSplit(Axis axis, float position);
+
+  /// Makes what is added next the right child of that split.
+  void beginRightChild(std::size_t split);
+
+  /// Adds a finished part behind what is here.
+  void append(const NodeArray& part);
+
+  [[nodiscard]] std::vector<Node> takeNodes() noexcept { return std::move(nodes_); }
+  [[nodiscard]] std::vector<std::uint32_t> takeReferences() noexcept {
+    return std::move(references_);
+  }
+
+ private:
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> references_;
+};
+
+}  // namespace planetree::detail

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <planetree/detail/tree_data.hpp>
+#include <planetree/hit/hit.hpp>
+#include <planetree/node/node.hpp>
+#include <planetree/traversal/order_children.hpp>
+#include <planetree/traversal/prepared_ray.hpp>
+#include <planetree/traversal/query_options.hpp>
+#include <planetree/traversal/step_counts.hpp>
+#include <planetree/traversal/tree_view.hpp>
+
+#include "support/assert.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+/// The one loop over the binary tree. What differs between queries are two compile-time choices.
+namespace planetree::detail {
+
+/// Looks for the first hit in the order of `isBefore`.
+struct NearestHit {
+  static constexpr bool kStopsAtAnyHit = false;
+};
+
+/// Is content with any hit.
+struct AnyHit {
+  static constexpr bool kStopsAtAnyHit = true;
+};
+
+/// Counts nothing and costs nothing.
+struct NoCounting {
+  void visitSplit() noexcept {}
+  void visitLeaf() noexcept {}
+  void testObjects(std::uint32_t) noexcept {}
+};
+
+struct Counting {
+  StepCounts& steps;
+
+  void visitSplit() noexcept { ++steps.splitNodes; }
+  void visitLeaf() noexcept { ++steps.leafNodes; }
+  void testObjects(std::uint32_t count) noexcept { steps.objects += count; }
+};
+
+/// A ray on its way through one tree.
+template <class T>
+struct Query {
+  const TreeView<T>& tree;
+  PreparedRay<T> ray;
+  Interval<T> interval;  ///< hits count if their t lies in here
+  std::uint32_t mask = QueryOptions{}.mask;
+
+  Query(const TreeView<T>& ofTree, const Ray<T>& r, T tMin, T tMax) noexcept
+      : tree(ofTree),
+        ray(r, ofTree.bounds),
+        // A hit at infinity could not be told from a miss.
+        interval{tMin,
+                 tMax < std::numeric_limits<T>::max() ? tMax : std::numeric_limits<T>::max()} {}
+
+  /// The part of the interval in which the ray may be inside the tree. Clipping comes first:
+  /// without it a ray along an axis with infinite tMax would walk through empty cells.
+  [[nodiscard]] Interval<T> partInsideTree() const noexcept {
+    if (!ray.isValid() || tree.bounds.isEmpty())
+      return {T(1), T(0)};
+    return ray.clip(tree.bounds, interval);
+  }
+};
+
+/// Tests the objects of a leaf, one run per geometry. Returns whether `hit` was replaced.
+template <class Goal, class Counter, class T>
+bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
+               Counter& counter) noexcept {
+  const auto geometries = query.tree.geometries;
+  auto rest = query.tree.references.subspan(leaf.firstReference(), leaf.count());
+  bool found = false;
+  while (!rest.empty()) {
+    const std::uint32_t geometry = geometryOf(geometries, rest.front());
+    const GeometryEntry<T>& entry = geometries[geometry];
+    std::size_t count = rest.size();
+    if (geometries.size() > 1) {
+      const std::uint64_t end = std::uint64_t{entry.firstObject} + entry.size;
+      count = 0;
+      while (count < rest.size() && rest[count] < end)
+        ++count;
+    }
+    const LeafRun run{rest.first(count), entry.firstObject, geometry};
+    rest = rest.subspan(count);
+    if ((entry.mask & query.mask) == 0)
+      continue;
+
+    const auto [tMin, tMax] = query.interval;
+    const LeafAnswer answer =
+        Goal::kStopsAtAnyHit
+            ? entry.table->findAny(entry.range, run, query.ray.sheared, tMin, tMax)
+            : entry.table->findNearest(entry.range, run, query.ray.sheared, tMin, tMax, hit);
+    counter.testObjects(answer.testedCount);
+    found |= answer.found;
+    if (Goal::kStopsAtAnyHit && found)
+      return true;
+  }
+  return found;
+}
+
+/// Visits, front to back, the leaves below `start` that the ray may meet within `part`, as long as
+/// they may hold a hit before `hit`. Returns whether there was one.
+template <class Goal, class Counter, class T>
+bool traverse(const Node& start, const Query<T>& query, Interval<T> part, Hit<T>& hit,
+              Counter counter) noexcept {
+  struct FarChild {
+    const Node* node;
+    Interval<T> part;
+  };
+  std::array<FarChild, kMaxTreeDepth> stack;
+  std::size_t stackSize = 0;
+  const Node* node = &start;
+  bool found = false;
+  if (part.isEmpty())
+    return false;
+
+  while (true) {
+    while (!node->isLeaf()) {
+      counter.visitSplit();
+      const ChildOrder<T> order = orderChildren(node->split(), query.ray, part);
+      if (order.visitsNear && order.visitsFar) {
+        PLANETREE_ASSERT(stackSize < stack.size());
+        stack[stackSize++] = {order.far, order.farPart};
+      }
+      node = order.visitsNear ? order.near : order.far;
+      part = order.visitsNear ? order.nearPart : order.farPart;
+    }
+
+    counter.visitLeaf();
+    found |= visitLeaf<Goal>(node->leaf(), query, hit, counter);
+    if (Goal::kStopsAtAnyHit && found)
+      return true;
+
+    // A hit may lie beyond the leaf it was found in, so the search ends only where the next cell
+    // begins beyond it; at the same t a lower id may still win.
+    do {
+      if (stackSize == 0)
+        return found;
+      --stackSize;
+    } while (stack[stackSize].part.tMin > hit.t);
+    node = stack[stackSize].node;
+    part = stack[stackSize].part;
+  }
+}
+
+}  // namespace planetree::detail
