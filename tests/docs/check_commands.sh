@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# check_commands.sh REPOSITORY FOLDER: runs the README's commands of the tool, which is in the folder,
+# as they stand there, in an empty folder with a small model under the name that the README uses.
+set -euo pipefail
+readme=$1/README.md
+PATH=$2:$PATH
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >bunny.obj
+
+mapfile -t commands < <(awk '/^```/ { inside = /^```sh$/ } inside && /^planetree /' "$readme")
+((${#commands[@]} > 0)) || { echo "FAILED: README.md shows no command of the tool"; exit 1; }
+for command in "${commands[@]}"; do
+  echo "\$ $command"
+  bash -euo pipefail -c "$command"
+  # What the command says it writes must be there.
+  output=$(grep -oP ' (-o|--output) \K\S+' <<<"$command" || true)
+  [[ -z $output || -s $output ]] || { echo "FAILED: it wrote no $output"; exit 1; }
+done

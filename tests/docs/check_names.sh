@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# check_names.sh REPOSITORY: what README.md and docs/ name must exist, and what they promise to list
+# must be listed: links, scripts, presets, options of the build, and packages.
+set -euo pipefail
+cd "$1"
+# shellcheck source=scripts/packages.sh
+source scripts/packages.sh
+
+failures=0
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+check_links() {
+  local file link
+  for file in README.md docs/*.md; do
+    while read -r link; do
+      [[ -e $(dirname "$file")/$link ]] || fail "$file links to $link, which does not exist"
+    done < <(grep -oP '\]\(\K(?!https?:)[^)#]+' "$file")
+  done
+}
+
+check_scripts_and_presets() {
+  local name
+  while read -r name; do
+    bash -n "$name" || fail "the docs name $name, which is no script"
+  done < <(grep -hoE '(scripts/[a-z_]+\.sh|\.ci/run)' README.md docs/*.md | sort -u)
+  while read -r name; do
+    grep -q "\"name\": \"$name\"" CMakePresets.json || fail "there is no preset '$name'"
+  done < <(grep -hoP -- '--preset \K[a-z-]+|build/\K[a-z-]+(?=/| |$|`)' README.md docs/*.md | sort -u)
+}
+
+# Each option stands in docs/building.md, in the words of CMakeLists.txt.
+check_build_options() {
+  local row
+  while read -r row; do
+    grep -qF "$row" docs/building.md || fail "docs/building.md lacks the row $row"
+  done < <(sed -nE -e 's/^option\((\w+) "([^"]+)".*/| `\1` | \2 |/p' \
+                   -e 's/^set\((\w+) .* CACHE STRING "([^"]+)".*/| `\1` | \2 |/p' CMakeLists.txt |
+             grep PLANETREE_)
+}
+
+check_packages() {
+  local purpose package
+  for purpose in build demo ci; do
+    for package in $(packages_for "$purpose"); do
+      grep -qF "\`$package\`" docs/dependencies.md ||
+        fail "docs/dependencies.md does not say what $package is for"
+    done
+  done
+}
+
+check_links
+check_scripts_and_presets
+check_build_options
+check_packages
+exit $((failures > 0))
