@@ -38,9 +38,9 @@ void requireValid(const BuildOptions& options) {
           "Give a depth limit from 1 to " + std::to_string(kMaxTreeDepth) +
               ", or none to let it grow with the scene.");
   require(isCost(cost.traversalCost), "cost.traversalCost is negative or not finite",
-          "Give a traversal cost of 0 or more, such as 1.");
+          "Give a traversal cost of 0 or more, such as 1.5.");
   require(isCost(cost.intersectionCost), "cost.intersectionCost is negative or not finite",
-          "Give an intersection cost of 0 or more, such as 1.5.");
+          "Give an intersection cost of 0 or more, such as 1.");
   require(cost.emptyBonus >= 0.0 && cost.emptyBonus < 1.0, "cost.emptyBonus is out of range",
           "Give an empty bonus from 0 to less than 1, such as 0.2.");
 }

@@ -16,7 +16,7 @@ enum class PlanarRule : std::uint8_t {
 /// How `buildTree` builds. The defaults give the fastest rays; `textbook()` the rules as taught.
 struct BuildOptions {
   /// A cell with this many objects or fewer becomes a leaf. May be 0.
-  std::uint32_t leafSize = 2;
+  std::uint32_t leafSize = 4;
 
   /// The number of levels after which every cell becomes a leaf; the root is level 1, so a limit of
   /// 1 makes the whole tree one leaf. From 1 to `kMaxTreeDepth`. Unset: 8 + 1.3 log2(objects), the

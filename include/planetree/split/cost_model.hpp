@@ -8,8 +8,8 @@ namespace planetree {
 /// MacDonald and Booth, "Heuristics for ray tracing using space subdivision", The Visual Computer
 /// 1990.
 struct CostModel {
-  double traversalCost = 1.0;     ///< one split node
-  double intersectionCost = 1.5;  ///< one object in a leaf
+  double traversalCost = 1.5;     ///< one split node
+  double intersectionCost = 1.0;  ///< one object in a leaf
   /// The part of a split's cost that is forgiven if one side is empty, in [0, 1). Cutting off empty
   /// space pays more than the heuristic sees, since rays then leave the tree early.
   double emptyBonus = 0.2;

@@ -31,11 +31,11 @@ struct ChildOrder {
 template <class T>
 [[nodiscard]] inline ChildOrder<T> orderChildren(const SplitNode& split, const PreparedRay<T>& ray,
                                                  const Interval<T>& interval) noexcept {
-  const Axis axis = split.axis();
-  const T t = ray.distanceToPlane(axis, split.position());
-  const T latest = t + ray.slack[axis];
-  const T earliest = t - ray.slack[axis];
-  const bool fromAbove = ray.isNegative(axis);
+  const AxisRay<T>& along = ray.along(split.axis());
+  const T t = along.distanceToPlane(split.position());
+  const T latest = t + along.slack;
+  const T earliest = t - along.slack;
+  const bool fromAbove = along.fromAbove;
   return {
       .near = fromAbove ? &split.right() : &split.left(),
       .far = fromAbove ? &split.left() : &split.right(),

@@ -3,7 +3,10 @@
 #include <planetree/geometry/box3.hpp>
 #include <planetree/geometry/sheared_ray.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace planetree {
@@ -29,62 +32,70 @@ struct Interval {
   [[nodiscard]] constexpr bool isEmpty() const noexcept { return !(tMin <= tMax); }
 };
 
+/// A ray along one axis, as the planes across that axis see it.
+template <class T>
+struct AxisRay {
+  T origin;
+  T inverseDirection;  ///< always finite for a valid ray; see `awayFromParallel`
+  T slack;             ///< how far t may be off where the ray meets a plane
+  bool fromAbove;      ///< whether the ray meets planes from above
+
+  /// Where the ray meets the plane; right to within `slack`.
+  [[nodiscard]] T distanceToPlane(float position) const noexcept {
+    return (static_cast<T>(position) - origin) * inverseDirection;
+  }
+};
+
 /// A ray with what the split nodes of one tree need of it. Made once per query.
 template <class T>
 struct PreparedRay {
   ShearedRay<T> sheared;
-  Vec3<T> inverseDirection;  ///< always finite for a valid ray; see `awayFromParallel`
   /// How far a hit may seem to lie from the object that was hit, along any axis.
   T distanceSlack;
-  /// The same as a difference in t where the ray meets a plane across each axis.
-  Vec3<T> slack;
+  std::array<AxisRay<T>, 3> axes;
 
   PreparedRay(const Ray<T>& ray, const Box3& bounds) noexcept : sheared(ray) {
     const T roundoff = std::numeric_limits<T>::epsilon() / T(2);
     distanceSlack = kSlackInRoundoffs<T> * roundoff * largestDistance(ray.origin, bounds);
-    const T largest = std::fabs(ray.direction[sheared.kz]);
     for (const Axis axis : kAxes) {
-      inverseDirection[axis] = T(1) / awayFromParallel(ray.direction[axis], largest);
-      slack[axis] = distanceSlack * std::fabs(inverseDirection[axis]);
+      const T inverse = T(1) / awayFromParallel(ray.direction[axis]);
+      axes[static_cast<std::size_t>(axis)] = {.origin = ray.origin[axis],
+                                              .inverseDirection = inverse,
+                                              .slack = distanceSlack * std::fabs(inverse),
+                                              .fromAbove = std::signbit(inverse)};
     }
   }
 
   [[nodiscard]] const Ray<T>& ray() const noexcept { return sheared.ray; }
 
+  [[nodiscard]] const AxisRay<T>& along(Axis axis) const noexcept {
+    return axes[static_cast<std::size_t>(axis)];
+  }
+
   /// False for rays that miss everything: a direction that is zero, or a NaN or infinity in the
   /// direction or the origin.
   [[nodiscard]] bool isValid() const noexcept {
-    return isFinite(ray().origin) && isFinite(ray().direction) &&
-           ray().direction[sheared.kz] != T(0);
+    return isFinite(ray().origin) && isFinite(ray().direction) && largestComponent() != T(0);
   }
 
   /// Whether the ray runs so nearly along the planes across the axis that they all look parallel.
   [[nodiscard]] bool isNearlyParallel(Axis axis) const noexcept {
-    return !(std::fabs(ray().direction[axis]) >=
-             std::fabs(ray().direction[sheared.kz]) * kNearParallel);
+    return !(std::fabs(ray().direction[axis]) >= largestComponent() * kNearParallel);
   }
 
-  /// Whether the ray meets planes across the axis from above.
-  [[nodiscard]] bool isNegative(Axis axis) const noexcept {
-    return std::signbit(inverseDirection[axis]);
-  }
-
-  /// Where the ray meets the plane; right to within `slack[axis]`.
-  [[nodiscard]] T distanceToPlane(Axis axis, float position) const noexcept {
-    return (static_cast<T>(position) - ray().origin[axis]) * inverseDirection[axis];
-  }
-
-  /// The part of [tMin, tMax] in which the ray may be inside the box; a little too long, never too
+  /// The part of the interval in which the ray may be inside the box; a little too long, never too
   /// short. Only for boxes inside the bounds that the ray was prepared for.
   [[nodiscard]] Interval<T> clip(const Box3& box, Interval<T> interval) const noexcept {
     for (const Axis axis : kAxes) {
-      const bool fromAbove = isNegative(axis);
-      const T entry = distanceToPlane(axis, fromAbove ? box.upper[axis] : box.lower[axis]);
-      const T exit = distanceToPlane(axis, fromAbove ? box.lower[axis] : box.upper[axis]);
-      if (entry - slack[axis] > interval.tMin)
-        interval.tMin = entry - slack[axis];
-      if (exit + slack[axis] < interval.tMax)
-        interval.tMax = exit + slack[axis];
+      const AxisRay<T>& ray = along(axis);
+      const T toLower = ray.distanceToPlane(box.lower[axis]);
+      const T toUpper = ray.distanceToPlane(box.upper[axis]);
+      const T entry = (ray.fromAbove ? toUpper : toLower) - ray.slack;
+      const T exit = (ray.fromAbove ? toLower : toUpper) + ray.slack;
+      if (entry > interval.tMin)
+        interval.tMin = entry;
+      if (exit < interval.tMax)
+        interval.tMax = exit;
     }
     return interval;
   }
@@ -92,11 +103,16 @@ struct PreparedRay {
  private:
   static constexpr T kNearParallel = T(0x1p-40);
 
+  [[nodiscard]] T largestComponent() const noexcept {
+    return std::fabs(ray().direction[sheared.kz]);
+  }
+
   [[nodiscard]] static T largestDistance(const Vec3<T>& origin, const Box3& bounds) noexcept {
     T largest = T(0);
     for (const Axis axis : kAxes) {
-      largest = std::fmax(largest, std::fabs(static_cast<T>(bounds.lower[axis]) - origin[axis]));
-      largest = std::fmax(largest, std::fabs(static_cast<T>(bounds.upper[axis]) - origin[axis]));
+      const T toLower = std::fabs(static_cast<T>(bounds.lower[axis]) - origin[axis]);
+      const T toUpper = std::fabs(static_cast<T>(bounds.upper[axis]) - origin[axis]);
+      largest = std::max({largest, toLower, toUpper});
     }
     return largest;
   }
@@ -105,8 +121,8 @@ struct PreparedRay {
   /// axis by less than the slack within the whole tree, is replaced by one just that small, of the
   /// same sign. Then no quotient is infinite or NaN, a ray that runs beside a plane meets it far
   /// outside every interval, and one within the slack of the plane visits both sides.
-  [[nodiscard]] static T awayFromParallel(T component, T largest) noexcept {
-    const T smallest = largest * kNearParallel;
+  [[nodiscard]] T awayFromParallel(T component) const noexcept {
+    const T smallest = largestComponent() * kNearParallel;
     return std::fabs(component) >= smallest ? component : std::copysign(smallest, component);
   }
 };
