@@ -8,9 +8,9 @@
 
 namespace planetree {
 
-/// A virtual base for shapes that are chosen at run time: a tree holds pointers to it. It is one way
-/// among others; `std::variant` and plain values need no base (see object.hpp, which also states
-/// what each member must do).
+/// A virtual base for shapes that are chosen at run time: a tree holds pointers to it. It is one
+/// way among others; `std::variant` and plain values need no base (see object.hpp, which also
+/// states what each member must do).
 template <std::floating_point T>
 class Geometry {
  public:
