@@ -28,14 +28,14 @@ apt_knows() {
   done
 }
 
-# Runs apt-get without questions, as root or with sudo, and shows its output only if it fails.
+# Runs apt-get without questions, as root or with sudo, and shows the end of its output if it fails.
 apt_get() {
   local log status=0
   local command=(env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=120 "$@")
   if ((EUID != 0)); then command=(sudo "${command[@]}"); fi
   log=$(mktemp)
   "${command[@]}" </dev/null >"$log" 2>&1 || status=$?
-  if ((status != 0)); then cat "$log" >&2; fi
+  if ((status != 0)); then tail -n 20 "$log" >&2; fi
   rm -f "$log"
   return "$status"
 }
@@ -44,7 +44,7 @@ apt_get() {
 # too old to install from.
 install_packages() {
   local install=(install --yes --no-install-recommends "$@")
-  if apt_knows "$@" && apt_get "${install[@]}"; then return; fi
+  if apt_knows "$@" && apt_get "${install[@]}" 2>/dev/null; then return; fi
   say "fetching apt's lists of packages"
   apt_get update && apt_get "${install[@]}"
 }
