@@ -3,6 +3,7 @@
 #include <planetree/mesh/triangle_mesh.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -17,7 +18,8 @@ enum class MeshFormat : std::uint8_t { Ply, Stl, Obj };
 /// A polygon of the file that could not become triangles, and why.
 struct SkippedPolygon {
   std::uint64_t polygon = 0;  ///< index among the polygons of the file
-  std::string reason;         ///< "has fewer than three corners", ...
+  std::int64_t line = -1;     ///< where it stands in a text format, counted from 1; else -1
+  std::string reason;         ///< "refers to vertex 9, which does not exist", ...
 };
 
 /// What reading found beside the mesh. Nothing is dropped in silence.
@@ -26,21 +28,29 @@ struct MeshReadReport {
   std::uint64_t polygonCount = 0;         ///< polygons in the file, the skipped ones included
   std::uint64_t skippedPolygonCount = 0;  ///< all of them
   std::vector<SkippedPolygon> skipped;    ///< the first few
+  /// Points, lines, curves and surfaces of OBJ files: they have no polygons and are not read.
+  std::uint64_t unreadPrimitiveCount = 0;
 };
 
 /// Reads a model into one mesh: PLY (ASCII, binary little and big endian), STL (ASCII and binary)
-/// or OBJ (all its objects and groups together).
+/// or OBJ (all its objects and groups together). Only positions and polygons are read: no colours,
+/// normals or materials.
 ///
 /// Polygons with more than three corners are cut into a fan of triangles that remember their source
-/// (`TriangleMesh::sourceFace` is the polygon's index in the file). Coordinates are rounded to T.
-/// A polygon with fewer than three corners or with a vertex index out of range is skipped and
-/// counted; the others keep their source index. Vertices that are not finite are kept: the tree
-/// skips and counts the faces that use them. Equal corners of STL facets become one vertex.
+/// (`TriangleMesh::sourceFace` is the polygon's index in the file). A polygon with fewer than three
+/// corners or with a vertex index out of range is skipped and counted; the others keep their source
+/// index. Each triangle of a PLY strip is a polygon of its own. Equal corners of STL facets, those
+/// with the same coordinates in T, become one vertex.
 ///
-/// Throws `Error` with `FileNotReadable` (missing, a folder, no permission), `UnknownFormat`, or
-/// `MalformedFile` (truncated, counts larger than the file can hold, not a number), naming the file
-/// and, in text formats, the line. A file without polygons gives an empty mesh. Any thread may call
-/// it. Time and memory grow linearly with the file, whatever its header claims.
+/// Coordinates are rounded once to the nearest T; those too large for T become infinity. Vertices
+/// that are not finite are kept: the tree skips and counts the faces that use them.
+///
+/// Throws `Error` with `FileNotReadable` (missing, a folder, no permission), `UnknownFormat` (also
+/// for an empty file), `MalformedFile` (truncated, counts that do not fit the file, not a number,
+/// unknown keywords), or `CapacityExceeded` (more vertices or triangles than 32 bits can count),
+/// naming the file and, in text formats, the line; the report is then left as it was. A file
+/// without polygons gives an empty mesh. Any thread may call it. Time and memory grow linearly with
+/// the size of the file, whatever its header claims.
 template <std::floating_point T>
 [[nodiscard]] TriangleMesh<T> readMesh(const std::filesystem::path& path,
                                        MeshReadReport* report = nullptr);

@@ -1,0 +1,81 @@
+#include "support/read_file.hpp"
+
+#include <planetree/error.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+namespace planetree::detail {
+namespace {
+
+struct FileCloser {
+  void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+};
+using FileHandle = std::unique_ptr<std::FILE, FileCloser>;
+
+Error notReadable(const std::filesystem::path& path, int reason) {
+  const auto error = [&](const std::string& problem, const std::string& advice) {
+    return Error(ErrorCode::FileNotReadable, problem, advice, Error::Place{path.string()});
+  };
+  switch (reason) {
+    case ENOENT:
+    case ENOTDIR:
+      return error("there is no such file", "Check the spelling and the folder you are in");
+    case EISDIR:
+      return error("it is a folder, not a file", "Name a file in it");
+    case EACCES:
+      return error("there is no permission to read it",
+                   "Change its permissions or those of its folder");
+    default:
+      return error("it cannot be read: " + std::generic_category().message(reason),
+                   "Check that other programs can read it");
+  }
+}
+
+FileHandle openFile(const std::filesystem::path& path) {
+  // Some systems open a folder like a file and fail later, or not at all.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw notReadable(path, EISDIR);
+  FileHandle file(std::fopen(path.string().c_str(), "rb"));
+  if (!file)
+    throw notReadable(path, errno);
+  return file;
+}
+
+/// What to allocate at first: one byte more than the file has, so that its end shows at once.
+std::size_t firstCapacity(const std::filesystem::path& path) {
+  constexpr std::size_t kUnknownSize = std::size_t{64} * 1024;
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed))
+    return kUnknownSize;
+  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  return failed ? kUnknownSize : std::max(static_cast<std::size_t>(size) + 1, kUnknownSize);
+}
+
+}  // namespace
+
+FileContent readFile(const std::filesystem::path& path) {
+  const FileHandle file = openFile(path);
+  std::size_t capacity = firstCapacity(path);
+  std::size_t size = 0;
+  auto bytes = std::make_unique_for_overwrite<std::byte[]>(capacity);
+  while (true) {
+    errno = 0;
+    size += std::fread(bytes.get() + size, 1, capacity - size, file.get());
+    if (std::ferror(file.get()))
+      throw notReadable(path, errno);
+    if (size < capacity)
+      return {std::move(bytes), size};
+    capacity *= 2;
+    auto larger = std::make_unique_for_overwrite<std::byte[]>(capacity);
+    std::copy_n(bytes.get(), size, larger.get());
+    bytes = std::move(larger);
+  }
+}
+
+}  // namespace planetree::detail
