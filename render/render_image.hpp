@@ -29,11 +29,11 @@ struct RenderSettings {
   std::uint32_t threadCount = 0;
 
   /// The colours of the geometries for ambient occlusion, in linear light; see AmbientOcclusion.
-  std::vector<Vec3f> albedos;
+  std::vector<Vec3f> albedos = {};
 
   /// Called often with the part of the picture that is done, from 0 to 1, by all rendering threads
   /// and several at once. If it returns false, rendering stops soon.
-  std::function<bool(double done)> keepsGoing;
+  std::function<bool(double done)> keepsGoing = {};
 };
 
 /// A picture and what it took.

@@ -1,0 +1,66 @@
+#include "exit_status.hpp"
+#include "render_command.hpp"
+#include "usage_error.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+namespace {
+
+using namespace planetree::tool;
+
+constexpr const char* kExamples = R"(Examples:
+  planetree render                  a picture of a scene made in code
+  planetree render bunny.obj        a picture of a model
+  planetree render --help           all options of a command)";
+
+int say(int status, const std::string& message) {
+  fmt::print(stderr, "planetree: {}\n", message);
+  return status;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Ray queries with a kd-tree built by the surface area heuristic", "planetree");
+  app.set_version_flag("--version", "planetree " PLANETREE_VERSION, "Print the version and exit");
+  app.footer(kExamples);
+  app.require_subcommand(1);
+  RenderCommand command;
+  const CLI::App* const render = addRenderCommand(app, command);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    // --help or --version: what was asked for goes to standard output.
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    const bool isInRender = render->parsed();
+    throw UsageError(error.what(),
+                     fmt::format("See planetree {}--help.", isInRender ? "render " : ""));
+  }
+  return runRenderCommand(command);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A closed pipe and a file size limit are then errors of the write, which are reported.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    return say(kWrongUsage, error.what());
+  } catch (const std::bad_alloc&) {
+    return say(kFailed, "out of memory. Try a smaller --size, or a model with fewer triangles.");
+  } catch (const std::exception& error) {
+    return say(kFailed, error.what());
+  }
+}

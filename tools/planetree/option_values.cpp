@@ -1,0 +1,163 @@
+#include "option_values.hpp"
+
+#include "usage_error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace planetree::tool {
+
+namespace {
+
+constexpr float kNarrowestFov = 0.01f;
+constexpr float kWidestFov = 179.0f;
+
+[[noreturn]] void refuse(const OptionText& option, std::string_view reason,
+                         std::string_view advice) {
+  throw UsageError(fmt::format("{} {}: {}", option.name, option.text, reason), std::string(advice));
+}
+
+std::string_view withoutBlanks(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos)
+    return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// The number that the whole text spells, or nothing. Does not depend on the locale.
+template <class Number>
+std::optional<Number> numberFrom(std::string_view text) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [parsedEnd, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || parsedEnd != end)
+    return std::nullopt;
+  return number;
+}
+
+std::vector<std::string_view> fieldsBetweenCommas(std::string_view text) {
+  std::vector<std::string_view> fields;
+  for (std::size_t comma = text.find(','); comma != std::string_view::npos;
+       comma = text.find(',')) {
+    fields.push_back(text.substr(0, comma));
+    text.remove_prefix(comma + 1);
+  }
+  fields.push_back(text);
+  return fields;
+}
+
+bool isFov(float degrees) {
+  return degrees >= kNarrowestFov && degrees <= kWidestFov;
+}
+
+std::string fovAdvice() {
+  return fmt::format("Give an angle from {} to {} degrees, such as 40.", kNarrowestFov, kWidestFov);
+}
+
+/// The value of a choice by its name.
+template <class Value, std::size_t N>
+Value choose(const OptionText& option,
+             const std::array<std::pair<std::string_view, Value>, N>& choices) {
+  std::string names;
+  for (const auto& [name, value] : choices) {
+    if (name == option.text)
+      return value;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  refuse(option, "there is no such choice", fmt::format("Give one of {}.", names));
+}
+
+}  // namespace
+
+std::uint64_t parseWholeNumber(const OptionText& option, std::uint64_t lowest,
+                               std::uint64_t highest) {
+  const auto number = numberFrom<std::uint64_t>(option.text);
+  if (number && *number >= lowest && *number <= highest)
+    return *number;
+  refuse(option, "not a whole number in range",
+         fmt::format("Give a number from {} to {}.", lowest, highest));
+}
+
+render::ImageSize parseSize(const OptionText& option) {
+  const std::size_t cross = option.text.find('x');
+  if (cross == std::string_view::npos) {
+    refuse(option, "not a size", "Give width x height, such as 800x600.");
+  }
+  const auto width = numberFrom<std::uint64_t>(option.text.substr(0, cross));
+  const auto height = numberFrom<std::uint64_t>(option.text.substr(cross + 1));
+  if (!width || !height)
+    refuse(option, "not a size", "Give width x height, such as 800x600.");
+  if (*width == 0 || *height == 0) {
+    refuse(option, "a picture without pixels", "Give at least 1x1.");
+  }
+  if (*width > kMaxPixelCount / *height) {
+    refuse(option, "too large a picture",
+           fmt::format("Give at most {} pixels, such as 8192x8192.", kMaxPixelCount));
+  }
+  return {static_cast<std::uint32_t>(*width), static_cast<std::uint32_t>(*height)};
+}
+
+float parseFov(const OptionText& option) {
+  const auto degrees = numberFrom<float>(option.text);
+  if (!degrees || !isFov(*degrees))
+    refuse(option, "not a field of view", fovAdvice());
+  return *degrees;
+}
+
+CameraOption parseCamera(const OptionText& option) {
+  std::vector<float> numbers;
+  for (const std::string_view field : fieldsBetweenCommas(option.text)) {
+    const auto number = numberFrom<float>(withoutBlanks(field));
+    if (!number || !std::isfinite(*number)) {
+      refuse(option, fmt::format("\"{}\" is not a finite number", field),
+             "Give ex,ey,ez,ax,ay,az[,fov]: the eye, the point it looks at, the field of view.");
+    }
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != 6 && numbers.size() != 7) {
+    refuse(option, fmt::format("{} numbers instead of 6 or 7", numbers.size()),
+           "Give ex,ey,ez,ax,ay,az[,fov]: the eye, the point it looks at, the field of view.");
+  }
+  const CameraOption camera{
+      .eye = {numbers[0], numbers[1], numbers[2]},
+      .at = {numbers[3], numbers[4], numbers[5]},
+      .fovDegrees = numbers.size() == 7 ? std::optional(numbers[6]) : std::nullopt};
+  if (camera.eye == camera.at) {
+    refuse(option, "the eye is the point it looks at", "Move one of the two.");
+  }
+  if (camera.fovDegrees && !isFov(*camera.fovDegrees)) {
+    refuse(option, "the seventh number is not a field of view", fovAdvice());
+  }
+  return camera;
+}
+
+std::string cameraText(const render::Camera& camera) {
+  return fmt::format("{},{},{},{},{},{},{}", camera.eye.x, camera.eye.y, camera.eye.z, camera.at.x,
+                     camera.at.y, camera.at.z, camera.fovDegrees);
+}
+
+render::RenderMode parseMode(const OptionText& option) {
+  using render::RenderMode;
+  return choose<RenderMode, 4>(option, {{{"ao", RenderMode::AmbientOcclusion},
+                                         {"normals", RenderMode::Normals},
+                                         {"depth", RenderMode::Depth},
+                                         {"heat", RenderMode::Heat}}});
+}
+
+render::UpAxis parseUpAxis(const OptionText& option) {
+  return choose<render::UpAxis, 2>(option, {{{"y", render::UpAxis::Y}, {"z", render::UpAxis::Z}}});
+}
+
+BuildOptions parsePreset(const OptionText& option) {
+  return choose<BuildOptions, 2>(
+      option, {{{"default", BuildOptions{}}, {"textbook", BuildOptions::textbook()}}});
+}
+
+}  // namespace planetree::tool

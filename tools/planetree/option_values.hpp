@@ -1,0 +1,55 @@
+#pragma once
+
+#include "render/framing.hpp"
+#include "render/image.hpp"
+#include "render/render_image.hpp"
+
+#include <planetree/geometry/vec3.hpp>
+#include <planetree/split/build_options.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// The values of options, from text. Each function throws `UsageError` that names the option and
+/// says what it takes.
+namespace planetree::tool {
+
+/// An option as it stands on the command line.
+struct OptionText {
+  std::string_view name;  ///< "--size"
+  std::string_view text;  ///< "800x600"
+};
+
+/// What `--camera` says.
+struct CameraOption {
+  Vec3f eye;
+  Vec3f at;
+  std::optional<float> fovDegrees;
+};
+
+/// The most pixels of a picture: enough for the largest screens, and memory for them is at hand.
+inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
+
+/// A whole number from `lowest` to `highest`.
+[[nodiscard]] std::uint64_t parseWholeNumber(const OptionText& option, std::uint64_t lowest,
+                                             std::uint64_t highest);
+
+/// "800x600": neither side is zero, and not too many pixels in all.
+[[nodiscard]] render::ImageSize parseSize(const OptionText& option);
+
+/// Degrees of a field of view.
+[[nodiscard]] float parseFov(const OptionText& option);
+
+/// "ex,ey,ez,ax,ay,az" with the field of view as an optional seventh number.
+[[nodiscard]] CameraOption parseCamera(const OptionText& option);
+
+/// The camera in the form that `parseCamera` reads, to the last bit.
+[[nodiscard]] std::string cameraText(const render::Camera& camera);
+
+[[nodiscard]] render::RenderMode parseMode(const OptionText& option);
+[[nodiscard]] render::UpAxis parseUpAxis(const OptionText& option);
+[[nodiscard]] BuildOptions parsePreset(const OptionText& option);
+
+}  // namespace planetree::tool

@@ -1,0 +1,276 @@
+#include "render_command.hpp"
+
+#include "exit_status.hpp"
+#include "interruption.hpp"
+#include "output_file.hpp"
+#include "progress_line.hpp"
+#include "subject.hpp"
+#include "talk.hpp"
+#include "usage_error.hpp"
+
+#include "render/image.hpp"
+
+#include <planetree/node/node_layout.hpp>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace planetree::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMaxSamplesPerPixel = 65536;
+constexpr std::uint64_t kMaxThreadCount = 1024;
+
+constexpr const char* kExamples = R"(Examples:
+  planetree render
+      a still life made in code, as render.png
+  planetree render bunny.obj
+      ambient occlusion of a model, as bunny.png
+  planetree render bunny.obj --mode heat -o bunny-heat.png
+      how much work each ray is
+  planetree render scan.ply --up z --size 1920x1080 --samples 64
+      a model with z up, larger and smoother
+  planetree render room.ply --camera -15,-9,0.5,10,-7,-1,70
+      from the eye (-15, -9, 0.5) toward (10, -7, -1), 70 degrees
+  planetree render bunny.obj --quiet -o - | display
+      the PNG on standard output
+
+Exit status: 0 done, 1 failed, 2 wrong usage.)";
+
+/// Adds an option whose text `parse` turns into the value.
+template <class Value, class Parse>
+CLI::Option* addValue(CLI::App& app, const std::string& names, Value& value, const Parse& parse,
+                      const std::string& description) {
+  const std::string shownName = names.substr(names.rfind(',') + 1);
+  return app.add_option_function<std::string>(
+      names,
+      [&value, parse, shownName](const std::string& text) {
+        value = parse(OptionText{shownName, text});
+      },
+      description);
+}
+
+/// Adds an option that is a whole number.
+template <class Value>
+CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Value& value,
+                            std::uint64_t lowest, std::uint64_t highest,
+                            const std::string& description) {
+  const auto parse = [lowest, highest](const OptionText& option) {
+    return static_cast<std::uint32_t>(parseWholeNumber(option, lowest, highest));
+  };
+  return addValue(app, name, value, parse, description)->type_name("N");
+}
+
+fs::path parsePath(const OptionText& option) {
+  if (option.text.empty()) {
+    throw UsageError(fmt::format("{}: the path is empty", option.name), "Give the name of a file.");
+  }
+  return fs::path(option.text);
+}
+
+fs::path outputPath(const RenderCommand& command) {
+  if (command.output)
+    return *command.output;
+  return command.model ? command.model->stem().concat(".png") : fs::path("render.png");
+}
+
+/// The picture is always a PNG; a name that promises something else is refused, as is one that
+/// would make the picture replace its model.
+void checkOutputName(const RenderCommand& command) {
+  if (!command.output)
+    return;
+  if (*command.output == kStandardOutput) {
+    if (::isatty(STDOUT_FILENO) == 0)
+      return;
+    throw UsageError("-o -: standard output is a terminal",
+                     "Send the picture to a file or a program: planetree render -o - > out.png.");
+  }
+  std::string extension = command.output->extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (!extension.empty() && extension != ".png") {
+    throw UsageError(fmt::format("-o {}: pictures are PNG files", command.output->string()),
+                     "Give a name that ends in .png.");
+  }
+  std::error_code missing;
+  if (command.model && fs::equivalent(*command.model, *command.output, missing)) {
+    throw UsageError(fmt::format("-o {}: that is the model", command.output->string()),
+                     "Give the picture another name.");
+  }
+}
+
+void checkOptionsAgree(const RenderCommand& command) {
+  checkOutputName(command);
+  if (command.fovDegrees && command.camera && command.camera->fovDegrees) {
+    throw UsageError("--fov: --camera gives the field of view too",
+                     "Leave out --fov, or the seventh number of --camera.");
+  }
+  if (!command.model && command.up != render::UpAxis::Y) {
+    throw UsageError("--up z: the still life has y up", "Give a MODEL, or leave out --up.");
+  }
+}
+
+BuildOptions buildOptions(const RenderCommand& command) {
+  BuildOptions options = command.preset;
+  options.threadCount = command.threadCount;
+  if (command.leafSize)
+    options.leafSize = *command.leafSize;
+  if (command.depthLimit)
+    options.depthLimit = command.depthLimit;
+  return options;
+}
+
+render::Framing framing(const RenderCommand& command) {
+  render::Framing framing{.up = command.up};
+  framing.aspect = static_cast<double>(command.size.width) / command.size.height;
+  if (command.fovDegrees)
+    framing.fovDegrees = *command.fovDegrees;
+  return framing;
+}
+
+/// The camera that was asked for, or else the one that shows all of the subject.
+render::Camera chosenCamera(const RenderCommand& command, const render::Camera& framed) {
+  render::Camera camera = framed;
+  if (command.camera) {
+    camera.eye = command.camera->eye;
+    camera.at = command.camera->at;
+    camera.up = render::upVector(command.up);
+    camera.fovDegrees = command.camera->fovDegrees.value_or(framed.fovDegrees);
+  }
+  return camera;
+}
+
+int sayInterrupted() {
+  fmt::print(stderr, "planetree: interrupted, and no picture was written\n");
+  return kFailed;
+}
+
+int renderSubject(const RenderCommand& command, const Subject& subject, const Talk& talk) {
+  const Interruption interruption;
+  const auto isWanted = [&] { return !interruption.isRequested(); };
+
+  render::RenderSettings settings{.size = command.size,
+                                  .camera = chosenCamera(command, subject.camera),
+                                  .mode = command.mode,
+                                  .samplesPerPixel = command.samplesPerPixel,
+                                  .seed = command.seed,
+                                  .threadCount = command.threadCount,
+                                  .albedos = subject.albedos};
+  talk.say(fmt::format("view: --camera {}{}", cameraText(settings.camera),
+                       command.up == render::UpAxis::Z ? " --up z" : ""));
+
+  std::optional<render::Rendering> rendering;
+  {
+    ProgressLine progress("rendering", !talk.isQuiet());
+    settings.keepsGoing = [&](double done) {
+      progress.update(done);
+      return isWanted();
+    };
+    rendering = renderImage(*subject.tracer, settings);
+  }
+  if (!rendering)
+    return sayInterrupted();
+  sayRendering(talk, command.mode, *rendering);
+
+  const std::vector<std::byte> png = encodePng(rendering->image);
+  const fs::path path = outputPath(command);
+  if (!writeFile(path, png, isWanted))
+    return sayInterrupted();
+  talk.say(fmt::format("wrote {} ({} x {}, {})",
+                       path == kStandardOutput ? "standard output" : path.string(),
+                       command.size.width, command.size.height, byteText(png.size())));
+  return kDone;
+}
+
+}  // namespace
+
+CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
+  CLI::App& render = *app.add_subcommand("render", "Render a model, or a still life made in code");
+  render.footer(kExamples);
+
+  addValue(render, "MODEL", command.model, parsePath,
+           "Model to render: PLY, STL or OBJ, told apart by their content");
+  addValue(render, "-o,--output", command.output, parsePath,
+           "PNG file to write, replacing an older one; - is standard output. "
+           "Default: the model's name with .png, here; or render.png")
+      ->type_name("FILE");
+  addValue(render, "--size", command.size, parseSize, "Width and height in pixels")
+      ->type_name("WxH")
+      ->default_str("800x600");
+  addValue(render, "--mode", command.mode, parseMode,
+           "What to show: ao (ambient occlusion), normals, depth (near is bright), or heat (work "
+           "of each ray)")
+      ->type_name("ao|normals|depth|heat")
+      ->default_str("ao");
+  addWholeNumber(render, "--samples", command.samplesPerPixel, 1, kMaxSamplesPerPixel,
+                 "Rays per pixel; in mode ao each sends another one to the sky. Powers of two are "
+                 "spread best")
+      ->default_str("16");
+  const auto parseSeed = [](const OptionText& option) {
+    return parseWholeNumber(option, 0, std::numeric_limits<std::uint64_t>::max());
+  };
+  addValue(render, "--seed", command.seed, parseSeed, "Another pattern of random samples")
+      ->type_name("N")
+      ->default_str("0");
+
+  const std::string view = "View";
+  addValue(render, "--camera", command.camera, parseCamera,
+           "The eye, the point in the middle of the picture, and the field of view if wanted: six "
+           "or seven numbers. Default: all of the model, from its right and above")
+      ->type_name("ex,ey,ez,ax,ay,az[,fov]")
+      ->group(view);
+  addValue(render, "--fov", command.fovDegrees, parseFov,
+           "Field of view from the lower to the upper edge, in degrees")
+      ->type_name("DEGREES")
+      ->default_str("40")
+      ->group(view);
+  addValue(render, "--up", command.up, parseUpAxis, "Which way is up in the model")
+      ->type_name("y|z")
+      ->default_str("y")
+      ->group(view);
+
+  const std::string tree = "Tree";
+  addValue(render, "--preset", command.preset, parsePreset,
+           "Build rules: default, or textbook for the rules as taught")
+      ->type_name("default|textbook")
+      ->default_str("default")
+      ->group(tree);
+  addWholeNumber(render, "--leaf-size", command.leafSize, 0,
+                 std::numeric_limits<std::uint32_t>::max(),
+                 "Make leaves of this many objects or fewer; instead of the preset's")
+      ->group(tree);
+  addWholeNumber(render, "--depth-limit", command.depthLimit, 1, kMaxTreeDepth,
+                 "Most levels of the tree; instead of the preset's")
+      ->group(tree);
+
+  addWholeNumber(render, "--threads", command.threadCount, 0, kMaxThreadCount,
+                 "Threads to use; 0 is all the machine has. The picture is the same for any number")
+      ->default_str("0");
+  render.add_flag("-q,--quiet", command.isQuiet, "Say nothing but errors");
+  return &render;
+}
+
+int runRenderCommand(const RenderCommand& command) {
+  checkOptionsAgree(command);
+  checkIsWritable(outputPath(command));
+  const Talk talk(command.isQuiet);
+  const BuildOptions build = buildOptions(command);
+  const Subject subject = command.model ? readModel(*command.model, build, framing(command), talk)
+                                        : makeStillLifeSubject(build, framing(command), talk);
+  return renderSubject(command, subject, talk);
+}
+
+}  // namespace planetree::tool

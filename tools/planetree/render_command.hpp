@@ -1,0 +1,46 @@
+#pragma once
+
+#include "option_values.hpp"
+
+#include "render/framing.hpp"
+#include "render/render_image.hpp"
+
+#include <planetree/split/build_options.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace CLI {
+class App;
+}
+
+namespace planetree::tool {
+
+/// What `planetree render` is asked to do.
+struct RenderCommand {
+  std::optional<std::filesystem::path> model;
+  std::optional<std::filesystem::path> output;
+  render::ImageSize size{800, 600};
+  render::RenderMode mode = render::RenderMode::AmbientOcclusion;
+  std::uint32_t samplesPerPixel = 16;
+  std::uint64_t seed = 0;
+  std::optional<CameraOption> camera;
+  std::optional<float> fovDegrees;
+  render::UpAxis up = render::UpAxis::Y;
+  std::uint32_t threadCount = 0;
+  BuildOptions preset;
+  std::optional<std::uint32_t> leafSize;
+  std::optional<std::uint32_t> depthLimit;
+  bool isQuiet = false;
+};
+
+/// Adds the subcommand to the program's command line; parsing fills `command`, which must outlive
+/// `app`. Values out of range throw `UsageError` while parsing. Returns the subcommand.
+CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command);
+
+/// Renders. Throws `UsageError` for options that contradict each other, `Error` for what fails.
+/// Returns the exit status of the tool.
+[[nodiscard]] int runRenderCommand(const RenderCommand& command);
+
+}  // namespace planetree::tool

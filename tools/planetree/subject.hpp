@@ -1,0 +1,34 @@
+#pragma once
+
+#include "talk.hpp"
+
+#include "render/camera.hpp"
+#include "render/framing.hpp"
+#include "render/tracer.hpp"
+
+#include <planetree/geometry/vec3.hpp>
+#include <planetree/split/build_options.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace planetree::tool {
+
+/// What a picture is taken of.
+struct Subject {
+  std::unique_ptr<render::Tracer> tracer;
+  render::Camera camera;  ///< the view that shows all of it
+  std::vector<Vec3f> albedos;
+};
+
+/// A model from a file, in a tree. Throws `Error` if it cannot be read or has nothing to show.
+[[nodiscard]] Subject readModel(const std::filesystem::path& path, const BuildOptions& options,
+                                const render::Framing& framing, const Talk& talk);
+
+/// The scene made in code, in a tree.
+[[nodiscard]] Subject makeStillLifeSubject(const BuildOptions& options,
+                                           const render::Framing& framing, const Talk& talk);
+
+}  // namespace planetree::tool

@@ -1,0 +1,132 @@
+#include "talk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <vector>
+
+namespace planetree::tool {
+
+namespace {
+
+std::string_view formatName(MeshFormat format) noexcept {
+  switch (format) {
+    case MeshFormat::Ply:
+      return "PLY";
+    case MeshFormat::Stl:
+      return "STL";
+    case MeshFormat::Obj:
+      return "OBJ";
+  }
+  return "unknown";
+}
+
+/// A few skipped things: the first ones with their reasons, the others as a number.
+void saySkippedList(const Talk& talk, std::string_view what, std::uint64_t count,
+                    std::uint64_t outOf, const std::vector<std::string>& first) {
+  constexpr std::size_t kShown = 3;
+  const std::size_t shown = std::min(kShown, first.size());
+  const auto end = first.begin() + static_cast<std::ptrdiff_t>(shown);
+  const std::string rest = count > shown ? ", ..." : "";
+  talk.say(fmt::format("  skipped {} of {} {}: {}{}", grouped(count), grouped(outOf), what,
+                       fmt::join(first.begin(), end, ", "), rest));
+}
+
+}  // namespace
+
+std::string grouped(std::uint64_t number) {
+  std::string digits = fmt::format("{}", number);
+  for (std::size_t place = digits.size(); place > 3;) {
+    place -= 3;
+    digits.insert(place, 1, ',');
+  }
+  return digits;
+}
+
+std::string byteText(std::uint64_t bytes) {
+  constexpr std::array kUnits = {"kB", "MB", "GB", "TB"};
+  if (bytes < 1000)
+    return fmt::format("{} bytes", bytes);
+  double amount = static_cast<double>(bytes) / 1000.0;
+  std::size_t unit = 0;
+  for (; amount >= 1000.0 && unit + 1 < kUnits.size(); ++unit)
+    amount /= 1000.0;
+  return fmt::format("{:.1f} {}", amount, kUnits[unit]);
+}
+
+std::string_view reasonText(SkipReason reason) noexcept {
+  switch (reason) {
+    case SkipReason::IndexOutOfRange:
+      return "has a vertex index beyond the last vertex";
+    case SkipReason::NotFinite:
+      return "has a coordinate that is not finite";
+    case SkipReason::Empty:
+      return "is empty";
+    case SkipReason::RepeatedCorner:
+      return "has two corners at one point";
+  }
+  return "cannot be hit";
+}
+
+void sayMesh(const Talk& talk, const std::string& name, const TriangleMesh<float>& mesh,
+             const MeshReadReport& report, double seconds) {
+  talk.say(fmt::format("{}: {} triangles, {} vertices ({}, read in {:.2f} s)", name,
+                       grouped(mesh.faces.size()), grouped(mesh.positions.size()),
+                       formatName(report.format), seconds));
+  if (report.skippedPolygonCount == 0)
+    return;
+  std::vector<std::string> first;
+  for (const SkippedPolygon& skipped : report.skipped) {
+    first.push_back(fmt::format("face {} {}", skipped.polygon, skipped.reason));
+  }
+  saySkippedList(talk, "faces", report.skippedPolygonCount, report.polygonCount, first);
+}
+
+void saySkipped(const Talk& talk, const BuildReport& report,
+                std::span<const std::uint32_t> sourceFaces) {
+  if (report.skippedCount == 0)
+    return;
+  std::vector<std::string> first;
+  for (const SkippedObject& skipped : report.skipped) {
+    const std::uint32_t face =
+        sourceFaces.empty() ? skipped.primitive : sourceFaces[skipped.primitive];
+    first.push_back(fmt::format("face {} {}", face, reasonText(skipped.reason)));
+  }
+  saySkippedList(talk, "triangles", report.skippedCount, report.objectCount, first);
+}
+
+void sayTree(const Talk& talk, const BuildReport& report, const TreeStatistics& statistics,
+             std::string_view objects) {
+  const std::uint64_t objectCount = report.objectCount - report.skippedCount;
+  const double references = static_cast<double>(statistics.referenceCount) /
+                            static_cast<double>(std::max<std::uint64_t>(objectCount, 1));
+  talk.say(fmt::format("tree of {} {}, built in {:.2f} s", grouped(objectCount), objects,
+                       report.totalSeconds));
+  talk.say(fmt::format("  {} split nodes, {} leaves ({} empty), depth {}",
+                       grouped(statistics.splitNodeCount), grouped(statistics.leafNodeCount),
+                       grouped(statistics.emptyLeafCount), statistics.depth));
+  talk.say(fmt::format("  {:.2f} references per object, largest leaf {}, SAH cost {:.1f}, {}",
+                       references, grouped(statistics.largestLeaf), statistics.sahCost,
+                       byteText(statistics.bytes)));
+}
+
+void sayRendering(const Talk& talk, render::RenderMode mode, const render::Rendering& rendering) {
+  const double seconds = std::max(rendering.seconds, 1e-9);
+  const auto rays = static_cast<double>(rendering.rayCount);
+  talk.say(fmt::format("traced {} rays in {:.2f} s: {:.2f} million rays per second",
+                       grouped(rendering.rayCount), rendering.seconds, rays / seconds / 1e6));
+  if (!rendering.range)
+    return;
+  const render::ValueRange& range = *rendering.range;
+  if (mode == render::RenderMode::Heat) {
+    talk.say(
+        fmt::format("heat: black is {:.0f}, pale yellow {:.0f} split nodes visited and "
+                    "objects tested per ray; the most is {:.0f}",
+                    range.darkest, range.brightest, range.highest));
+  } else {
+    talk.say(fmt::format("depth: white is {:.6g}, the darkest grey {:.6g} from the eye",
+                         range.brightest, range.darkest));
+  }
+}
+
+}  // namespace planetree::tool

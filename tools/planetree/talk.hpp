@@ -1,0 +1,58 @@
+#pragma once
+
+#include "render/render_image.hpp"
+
+#include <planetree/mesh/read_mesh.hpp>
+#include <planetree/mesh/triangle_mesh.hpp>
+#include <planetree/node/tree_statistics.hpp>
+#include <planetree/split/build_report.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// What the tool says beside its result. All of it goes to standard error: standard output belongs
+/// to data.
+namespace planetree::tool {
+
+class Talk {
+ public:
+  explicit Talk(bool isQuiet) noexcept : isQuiet_(isQuiet) {}
+
+  [[nodiscard]] bool isQuiet() const noexcept { return isQuiet_; }
+
+  /// One line, unless the tool is to be quiet.
+  void say(std::string_view line) const {
+    if (!isQuiet_)
+      fmt::print(stderr, "{}\n", line);
+  }
+
+ private:
+  bool isQuiet_;
+};
+
+/// "69666" as "69,666".
+[[nodiscard]] std::string grouped(std::uint64_t number);
+/// "1.4 MB".
+[[nodiscard]] std::string byteText(std::uint64_t bytes);
+/// What is wrong with a skipped object, to be read after its name.
+[[nodiscard]] std::string_view reasonText(SkipReason reason) noexcept;
+
+void sayMesh(const Talk& talk, const std::string& name, const TriangleMesh<float>& mesh,
+             const MeshReadReport& report, double seconds);
+
+/// The skipped faces of a mesh. `sourceFaces` is that of the mesh: faces are named by their number
+/// in the file.
+void saySkipped(const Talk& talk, const BuildReport& report,
+                std::span<const std::uint32_t> sourceFaces);
+
+void sayTree(const Talk& talk, const BuildReport& report, const TreeStatistics& statistics,
+             std::string_view objects);
+
+void sayRendering(const Talk& talk, render::RenderMode mode, const render::Rendering& rendering);
+
+}  // namespace planetree::tool
