@@ -72,6 +72,10 @@ class KdTree {
   [[nodiscard]] std::uint64_t objectCount() const noexcept { return data_->report.objectCount; }
 
   [[nodiscard]] std::size_t geometryCount() const noexcept { return data_->geometries.size(); }
+  /// How many objects a geometry has, the skipped ones included.
+  [[nodiscard]] std::size_t primitiveCount(std::uint32_t geometry) const noexcept {
+    return data_->geometries[geometry].size;
+  }
   /// What a geometry was added with; `geometry` as in `Hit`.
   [[nodiscard]] std::uint32_t geometryMask(std::uint32_t geometry) const noexcept {
     return data_->geometries[geometry].mask;

@@ -46,6 +46,8 @@ struct Counting {
 /// A ray on its way through one tree.
 template <class T>
 struct Query {
+  static constexpr T kLargest = std::numeric_limits<T>::max();
+
   const TreeView<T>& tree;
   PreparedRay<T> ray;
   Interval<T> interval;  ///< hits count if their t lies in here
@@ -54,9 +56,8 @@ struct Query {
   Query(const TreeView<T>& ofTree, const Ray<T>& r, T tMin, T tMax) noexcept
       : tree(ofTree),
         ray(r, ofTree.bounds),
-        // A hit at infinity could not be told from a miss.
-        interval{tMin,
-                 tMax < std::numeric_limits<T>::max() ? tMax : std::numeric_limits<T>::max()} {}
+        // A hit at infinity could not be told from a miss. A NaN stays.
+        interval{tMin, tMax > kLargest ? kLargest : tMax} {}
 
   /// The part of the interval in which the ray may be inside the tree. Clipping comes first:
   /// without it a ray along an axis with infinite tMax would walk through empty cells.

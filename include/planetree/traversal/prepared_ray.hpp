@@ -55,8 +55,7 @@ struct PreparedRay {
   std::array<AxisRay<T>, 3> axes;
 
   PreparedRay(const Ray<T>& ray, const Box3& bounds) noexcept : sheared(ray) {
-    const T roundoff = std::numeric_limits<T>::epsilon() / T(2);
-    distanceSlack = kSlackInRoundoffs<T> * roundoff * largestDistance(ray.origin, bounds);
+    distanceSlack = kSlackInRoundoffs<T> * kRoundoff * largestDistance(ray.origin, bounds);
     for (const Axis axis : kAxes) {
       const T inverse = T(1) / awayFromParallel(ray.direction[axis]);
       axes[static_cast<std::size_t>(axis)] = {.origin = ray.origin[axis],
@@ -101,7 +100,8 @@ struct PreparedRay {
   }
 
  private:
-  static constexpr T kNearParallel = T(0x1p-40);
+  static constexpr T kRoundoff = std::numeric_limits<T>::epsilon() / T(2);
+  static constexpr T kNearParallel = kRoundoff * T(0x1p-16);
 
   [[nodiscard]] T largestComponent() const noexcept {
     return std::fabs(ray().direction[sheared.kz]);
