@@ -29,6 +29,19 @@ Vec3f onCircle(double angle, double radius, double height) {
   return Vec3f(Vec3d{radius * std::cos(angle), height, -radius * std::sin(angle)});
 }
 
+/// A place on the stage as the default camera sees it: so far to the right of the middle, so far
+/// toward the viewer.
+Vec3f spot(double right, double toward) {
+  // The view direction of framing.hpp without its height.
+  const Vec3d rightward = normalized(Vec3d{0.76, 0.0, -0.55});
+  const Vec3d viewerward = normalized(Vec3d{0.55, 0.0, 0.76});
+  return Vec3f(rightward * right + viewerward * toward);
+}
+
+Vec3f above(const Vec3f& place, float height) {
+  return place + Vec3f{0.0f, height, 0.0f};
+}
+
 template <class Objects>
 void place(StillLife& stillLife, Objects objects, const Vec3f& albedo) {
   stillLife.scene.add(std::move(objects));
@@ -61,19 +74,19 @@ void placeKnot(StillLife& stillLife) {
 
 /// A spiral stair of squares around a column.
 void placeStair(StillLife& stillLife) {
-  const Vec3f foot{-1.9f, 0.0f, -1.35f};
-  place(stillLife, Cylinder<float>{.base = foot, .axis = {0.0f, 3.0f, 0.0f}, .radius = 0.24f},
+  constexpr int kSteps = 22;
+  const Vec3f foot = spot(-1.95, -0.9);
+  place(stillLife, Cylinder<float>{.base = foot, .axis = {0.0f, 3.0f, 0.0f}, .radius = 0.22f},
         kPlaster);
-  place(stillLife, Sphere<float>{.center = foot + Vec3f{0.0f, 3.3f, 0.0f}, .radius = 0.34f},
-        kOchre);
+  place(stillLife, Sphere<float>{.center = above(foot, 3.3f), .radius = 0.34f}, kOchre);
   std::vector<Square<float>> steps;
-  for (int i = 0; i < 20; ++i) {
-    const double angle = -0.2 + i * pi / 8.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = i * pi / 7.0;
     const Vec3f radial = onCircle(angle, 1.0, 0.0);
     const Vec3f along = onCircle(angle + pi / 2.0, 1.0, 0.0);
-    steps.push_back({.center = foot + radial * 0.62f + Vec3f{0.0f, 0.13f * float(i + 1), 0.0f},
-                     .edgeU = radial * 0.8f,
-                     .edgeV = along * 0.34f});
+    steps.push_back({.center = above(foot + radial * 0.6f, 0.125f * static_cast<float>(i + 1)),
+                     .edgeU = radial * 0.76f,
+                     .edgeV = along * 0.36f});
   }
   place(stillLife, std::move(steps), kTeal);
 }
@@ -81,32 +94,37 @@ void placeStair(StillLife& stillLife) {
 void placeCones(StillLife& stillLife) {
   place(stillLife,
         std::vector<Cone<float>>{
-            {.base = {2.0f, 0.0f, -1.35f}, .axis = {0.0f, 2.2f, 0.0f}, .bottomRadius = 0.75f},
-            {.base = {0.62f, 0.0f, -2.5f}, .axis = {0.0f, 1.5f, 0.0f}, .bottomRadius = 0.55f}},
+            {.base = spot(2.25, -0.75), .axis = {0.0f, 2.2f, 0.0f}, .bottomRadius = 0.72f},
+            {.base = spot(1.35, -2.0), .axis = {0.0f, 1.5f, 0.0f}, .bottomRadius = 0.55f}},
         kNight);
   place(stillLife,
-        Cone<float>{.base = {-2.15f, 0.0f, 1.0f},
-                    .axis = {0.0f, 0.62f, 0.0f},
-                    .bottomRadius = 0.66f,
-                    .topRadius = 0.42f},
+        Cone<float>{.base = spot(-2.3, 0.9),
+                    .axis = {0.0f, 0.55f, 0.0f},
+                    .bottomRadius = 0.62f,
+                    .topRadius = 0.4f},
         kRose);
 }
 
 void placeSpheres(StillLife& stillLife) {
-  place(stillLife, Sphere<float>{.center = {-2.15f, 1.12f, 1.0f}, .radius = 0.5f}, kPlaster);
-  place(stillLife, Sphere<float>{.center = {2.1f, 0.72f, 0.55f}, .radius = 0.72f}, kOchre);
-  place(stillLife, Sphere<float>{.center = {1.45f, 0.33f, 1.75f}, .radius = 0.33f}, kTeal);
+  place(stillLife, Sphere<float>{.center = above(spot(-2.3, 0.9), 1.0f), .radius = 0.47f},
+        kPlaster);
+  place(stillLife, Sphere<float>{.center = above(spot(1.55, 1.05), 0.68f), .radius = 0.68f},
+        kOchre);
+  place(stillLife, Sphere<float>{.center = above(spot(0.45, 1.95), 0.32f), .radius = 0.32f}, kTeal);
 }
 
-/// Pipes that the eye can look into: cylinders without caps.
+/// A pile of pipes that the eye can look into: cylinders without caps.
 void placePipes(StillLife& stillLife) {
+  constexpr float kRadius = 0.28f;
+  const Vec3f along = spot(0.35, 1.0);
+  const Vec3f beside = normalized(spot(1.0, -0.35));
+  const Vec3f first = above(spot(-1.45, 1.3), kRadius);
+  const std::vector<Vec3f> bases = {first, first + beside * (2.0f * kRadius),
+                                    above(first + beside * kRadius, 1.732f * kRadius)};
   std::vector<Cylinder<float>> pipes;
-  for (const Vec3f& base :
-       {Vec3f{-0.75f, 0.3f, 1.55f}, Vec3f{-0.43f, 0.3f, 2.06f}, Vec3f{-0.59f, 0.82f, 1.805f}}) {
-    pipes.push_back({.base = base, .axis = {0.85f, 0.0f, -0.53f}, .radius = 0.3f, .capped = false});
+  for (const Vec3f& base : bases) {
+    pipes.push_back({.base = base, .axis = along, .radius = kRadius, .capped = false});
   }
-  for (Cylinder<float>& pipe : pipes)
-    pipe.base = pipe.base + Vec3f{-0.1f, 0.0f, 0.45f};
   place(stillLife, std::move(pipes), kRose);
 }
 
@@ -128,7 +146,7 @@ std::vector<Vec3f> stageOutline() {
   for (int i = 0; i < 64; ++i) {
     const double angle = 2.0 * pi * i / 64.0;
     outline.push_back(onCircle(angle, kStageRadius + 0.35, -0.5));
-    outline.push_back(onCircle(angle, 0.6 * kStageRadius, 3.4));
+    outline.push_back(onCircle(angle, 0.6 * kStageRadius, 3.64));
   }
   return outline;
 }

@@ -15,15 +15,16 @@ namespace {
 /// rooms would be black: every ray in them ends at a wall.
 constexpr float kReach = 0.15f;
 
-constexpr Vec3f kClay{0.74f, 0.72f, 0.69f};
+constexpr Vec3f kClay{0.71f, 0.68f, 0.64f};
 
 // The dome: cool from above, warm from below, and one large soft lamp.
-constexpr Vec3f kSkyLight{0.62f, 0.68f, 0.78f};
-constexpr Vec3f kGroundLight{0.30f, 0.27f, 0.25f};
-constexpr Vec3f kKeyLight{1.30f, 1.18f, 1.00f};
+constexpr Vec3f kSkyLight{0.21f, 0.27f, 0.37f};
+constexpr Vec3f kGroundLight{0.10f, 0.085f, 0.075f};
+constexpr Vec3f kKeyLight{1.46f, 1.34f, 1.18f};
 
-/// What comes from a direction that is blocked: surfaces nearby are lit too and pass some light on.
-constexpr Vec3f kBounce{0.085f, 0.075f, 0.070f};
+/// The part of the light that reaches a point from blocked directions all the same: surfaces nearby
+/// are lit too and pass some of it on.
+constexpr float kBounce = 0.16f;
 
 Vec3f product(const Vec3f& a, const Vec3f& b) noexcept {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
@@ -36,7 +37,7 @@ AmbientOcclusion::AmbientOcclusion(const Box3& scene, const CameraAxes& axes, co
     : scene_(scene),
       reach_(kReach * diagonal(scene)),
       up_(normalized(up)),
-      keyDirection_(Vec3f(normalized(axes.up * 0.8 - axes.right * 0.65 - axes.forward * 0.55))),
+      keyDirection_(Vec3f(normalized(axes.up * 0.75 - axes.right * 0.8 - axes.forward * 0.3))),
       albedos_(std::move(albedos)) {}
 
 FilmSample AmbientOcclusion::shade(RayCounter& tracer, const Rayf& cameraRay,
@@ -49,19 +50,22 @@ FilmSample AmbientOcclusion::shade(RayCounter& tracer, const Rayf& cameraRay,
   const Rayf shadowRay{.origin = point + normal * surfaceOffset(scene_, point),
                        .direction = cosineDistributed(normal, direction),
                        .tMax = reach_};
-  const Vec3f light = tracer.isOccluded(shadowRay) ? kBounce : domeLight(shadowRay.direction);
-  return {.value = product(albedo(*hit), light), .coverage = 1.0f};
+  const float open = tracer.isOccluded(shadowRay) ? kBounce : 1.0f;
+  return {.value = product(albedo(*hit), openLight(normal)) * open, .coverage = 1.0f};
 }
 
 Vec3f AmbientOcclusion::albedo(const Hitf& hit) const noexcept {
   return hit.geometry < albedos_.size() ? albedos_[hit.geometry] : kClay;
 }
 
-Vec3f AmbientOcclusion::domeLight(const Vec3f& direction) const noexcept {
-  const float height = 0.5f + 0.5f * dot(direction, up_);
-  const float towardKey = std::max(0.0f, dot(direction, keyDirection_));
-  return kGroundLight * (1.0f - height) + kSkyLight * height +
-         kKeyLight * (towardKey * towardKey * towardKey);
+Vec3f AmbientOcclusion::openLight(const Vec3f& normal) const noexcept {
+  // The dome is sky or ground by (1 + d.up) / 2 and a lamp of ((1 + d.key) / 2)^2 for a direction
+  // d. With d distributed by the cosine around n, the mean of d.k is 2/3 n.k and that of (d.k)^2 is
+  // 1/4 + 1/4 (n.k)^2.
+  const float height = 0.5f + dot(normal, up_) / 3.0f;
+  const float c = dot(normal, keyDirection_);
+  const float key = (1.25f + (4.0f / 3.0f) * c + 0.25f * c * c) / 4.0f;
+  return kGroundLight * (1.0f - height) + kSkyLight * height + kKeyLight * key;
 }
 
 DevelopedImage AmbientOcclusion::develop(const Film& film) const {

@@ -10,8 +10,9 @@
 
 namespace planetree::render {
 
-/// Ambient occlusion: a surface is lit by a bright dome wherever nothing near stands in the way.
-/// Each camera ray that sees a surface sends one ray to the dome.
+/// Ambient occlusion: a surface has the light of a bright dome, times the part of the directions in
+/// which nothing near stands in the way. Each camera ray that sees a surface tries one direction.
+/// Light and openness are multiplied, not traced together, so that open surfaces show no noise.
 class AmbientOcclusion final : public Shading {
  public:
   /// `axes` are those of the camera: the light comes from above its left shoulder, so that every
@@ -26,7 +27,8 @@ class AmbientOcclusion final : public Shading {
 
  private:
   [[nodiscard]] Vec3f albedo(const Hitf& hit) const noexcept;
-  [[nodiscard]] Vec3f domeLight(const Vec3f& direction) const noexcept;
+  /// The light on a surface from which nothing is blocked.
+  [[nodiscard]] Vec3f openLight(const Vec3f& normal) const noexcept;
 
   Box3 scene_;
   float reach_;  ///< how far away a surface can still shade
