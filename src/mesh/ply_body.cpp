@@ -27,23 +27,22 @@ std::string PlyPlace::record() const {
 }
 
 Error PlyPlace::endsBeforeRecord(std::int64_t line) const {
-  return endsAt("before " + record(), line);
+  return endsAt("before " + record(), kCopyAgain, line);
 }
 
 Error PlyPlace::endsWithinRecord(std::int64_t line) const {
-  return endsAt("within " + record(), line);
+  return endsAt("within " + record(), kCopyAgain, line);
 }
 
-Error PlyPlace::endsAt(const std::string& where, std::int64_t line) const {
-  return input_->malformed(
-      "the header promises " + countOf(*element_) + ", but the file ends " + where, kCopyAgain,
-      line);
+Error PlyPlace::endsWithinList(std::uint64_t count, std::int64_t line) const {
+  return endsAt("within " + record() + ", in a list of " + std::to_string(count) + " values",
+                "The file is truncated or damaged: copy or export it again", line);
 }
 
-Error PlyPlace::hasTooLongList(std::uint64_t count, std::int64_t line) const {
+Error PlyPlace::endsAt(const std::string& where, const std::string& advice,
+                       std::int64_t line) const {
   return input_->malformed(
-      record() + " has a list of " + std::to_string(count) + " values, more than are left",
-      "The file is truncated or damaged: copy or export it again", line);
+      "the header promises " + countOf(*element_) + ", but the file ends " + where, advice, line);
 }
 
 void BinaryPlyBody::beginElement(const PlyElement& element) {
@@ -64,7 +63,7 @@ std::uint64_t BinaryPlyBody::mostRecords(const PlyElement& element) const noexce
 
 void BinaryPlyBody::requireItems(std::uint64_t count, PlyType type) const {
   if (count > rest_.size() / byteSize(type))
-    throw place_.hasTooLongList(count, line());
+    throw place_.endsWithinList(count, line());
 }
 
 void BinaryPlyBody::endFile() const {
@@ -107,8 +106,11 @@ void AsciiPlyBody::endFile() {
 
 void AsciiPlyBody::requireItems(std::uint64_t count, PlyType) const {
   // A blank and a digit for each.
-  if (count > rest_.size() / 2)
-    throw place_.hasTooLongList(count, line());
+  if (count <= rest_.size() / 2)
+    return;
+  throw place_.input().malformed(
+      place_.record() + " has a list of " + std::to_string(count) + " values, more than its line",
+      kExportAgain, line());
 }
 
 bool AsciiPlyBody::nextLine() {

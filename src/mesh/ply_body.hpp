@@ -46,11 +46,12 @@ class PlyPlace {
   /// The file ends before the present record, or within it.
   [[nodiscard]] Error endsBeforeRecord(std::int64_t line) const;
   [[nodiscard]] Error endsWithinRecord(std::int64_t line) const;
-  /// A list is longer than the rest of the record or file.
-  [[nodiscard]] Error hasTooLongList(std::uint64_t count, std::int64_t line) const;
+  /// The file ends within a list of the present record.
+  [[nodiscard]] Error endsWithinList(std::uint64_t count, std::int64_t line) const;
 
  private:
-  [[nodiscard]] Error endsAt(const std::string& where, std::int64_t line) const;
+  [[nodiscard]] Error endsAt(const std::string& where, const std::string& advice,
+                             std::int64_t line) const;
 
   const MeshInput* input_;
   const PlyElement* element_ = nullptr;

@@ -59,6 +59,11 @@ constexpr bool includesOtherFiles(std::string_view keyword) noexcept {
   return keyword == "call" || keyword == "csh";
 }
 
+constexpr bool isKeyword(std::string_view word) noexcept {
+  return word == "v" || isPolygon(word) || isOtherPrimitive(word) || isAttribute(word) ||
+         isTextual(word) || includesOtherFiles(word);
+}
+
 /// The records of a file. One that ends with a backslash goes on in the next line, unless it is a
 /// text: a comment may well end with the name of a folder.
 class ObjRecords {
@@ -171,7 +176,7 @@ class ObjReader {
     } else if (includesOtherFiles(keyword)) {
       throw input_.malformed("it includes another file with " + quoted(keyword),
                              "Put both files into one", record.line());
-    } else if (!isAttribute(keyword) && !isTextual(keyword)) {
+    } else if (!isKeyword(keyword)) {
       throw input_.malformed("the keyword " + quoted(keyword) + " is unknown",
                              "Take the line out, or export the file again", record.line());
     }
@@ -216,13 +221,14 @@ bool isObj(std::span<const std::byte> bytes) noexcept {
   bool hasComments = false;
   while (lines.next()) {
     std::string_view line = lines.line();
-    const std::string_view word = takeWord(line);
-    if (word.starts_with('#'))
+    const std::string_view keyword = takeWord(line);
+    if (keyword.starts_with('#')) {
       hasComments = true;
-    if (word.empty() || word.starts_with('#'))
-      continue;
-    return word == "v" || isPolygon(word) || isOtherPrimitive(word) || isAttribute(word) ||
-           isTextual(word) || includesOtherFiles(word);
+    } else if (!keyword.empty()) {
+      // Many keywords are one letter, so a letter alone is no proof; a group may be without name.
+      const bool isWhole = keyword == "g" || !takeWord(line).empty();
+      return isWhole && isKeyword(keyword);
+    }
   }
   return hasComments;
 }
