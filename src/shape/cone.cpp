@@ -16,7 +16,7 @@ using detail::Interval;
 using detail::LocalRay;
 
 /// A crossing of the surface: the parameter of the moved ray, and what is crossed. The parameter is
-/// NaN or infinite where there is no crossing.
+/// infinite where there is no crossing.
 struct Crossing {
   double s;
   std::uint32_t part;
@@ -33,6 +33,13 @@ struct Crossing {
   return rise > 0.0 ? Interval{atBase, atTop} : Interval{atTop, atBase};
 }
 
+/// Where the line is inside the cylinder around the cone, which holds the rims in place: the rim of
+/// a flat cone is a sharp edge, and a rounding of the height alone would move it far outward.
+[[nodiscard]] Interval aroundInterval(const ConeFrame& frame, const LocalRay& ray,
+                                      const Interval& slab) noexcept {
+  return frame.sine == 0.0 ? Interval{} : detail::sideInterval(frame.cylinderAround(), ray, slab);
+}
+
 /// The solid is what is inside the side and inside the slab, so its two crossings are the later of
 /// the entries and the earlier of the exits. Testing side and caps one by one would leak at the
 /// rims, where each may say that the other is hit.
@@ -46,15 +53,19 @@ struct Crossing {
                             : Crossing{side.exit, kSidePart};
   if (entry.s <= exit.s)
     return {entry, exit};
-  return {Crossing{detail::kNoCrossing, kSidePart}, Crossing{detail::kNoCrossing, kSidePart}};
+  return {Crossing{detail::kInfinity, kSidePart}, Crossing{detail::kInfinity, kSidePart}};
 }
 
-[[nodiscard]] std::array<Crossing, 2> openCrossings(const Interval& side,
+/// The crossings of the side between the rims. Where rounding leaves one outside the cylinder
+/// around the cone it is moved back, not dropped: side and cylinder may be nearly the same.
+[[nodiscard]] std::array<Crossing, 2> openCrossings(const Interval& side, const Interval& around,
                                                     const Interval& slab) noexcept {
-  const auto withinSlab = [&](double s) {
-    return Crossing{slab.entry <= s && s <= slab.exit ? s : detail::kNoCrossing, kSidePart};
+  const auto betweenRims = [&](double s) {
+    const double moved = std::fmin(std::fmax(s, around.entry), around.exit);
+    const bool isBetween = slab.contains(s) && slab.contains(moved);
+    return Crossing{isBetween ? moved : detail::kInfinity, kSidePart};
   };
-  return {withinSlab(side.entry), withinSlab(side.exit)};
+  return {betweenRims(side.entry), betweenRims(side.exit)};
 }
 
 [[nodiscard]] double fraction(double part, double whole) noexcept {
@@ -137,8 +148,12 @@ std::optional<Hit<T>> Cone<T>::intersect(const Ray<T>& ray, T tMin, T tMax) cons
   if (slab.isEmpty())
     return std::nullopt;
   const Interval side = detail::sideInterval(*frame, local, slab);
+  const Interval around = aroundInterval(*frame, local, slab);
+  if (side.isEmpty() || around.isEmpty())
+    return std::nullopt;
   const auto crossings =
-      capped ? solidCrossings(side, slab, local.direction.z > 0.0) : openCrossings(side, slab);
+      capped ? solidCrossings(intersection(side, around), slab, local.direction.z > 0.0)
+             : openCrossings(side, around, slab);
   for (const Crossing& crossing : crossings) {
     const T t = near->template rayParameter<T>(crossing.s);
     if (detail::isWithin(t, tMin, tMax)) {

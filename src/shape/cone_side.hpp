@@ -12,17 +12,21 @@
 namespace planetree::detail {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-inline constexpr double kNoCrossing = std::numeric_limits<double>::quiet_NaN();
 
 /// The part of a line that is inside something convex.
 struct Interval {
   double entry = -kInfinity;
   double exit = kInfinity;
 
-  [[nodiscard]] static Interval empty() noexcept { return {kNoCrossing, kNoCrossing}; }
+  [[nodiscard]] static Interval empty() noexcept { return {kInfinity, -kInfinity}; }
+  [[nodiscard]] bool contains(double s) const noexcept { return entry <= s && s <= exit; }
   /// True also for NaN.
   [[nodiscard]] bool isEmpty() const noexcept { return !(entry <= exit); }
 };
+
+[[nodiscard]] inline Interval intersection(const Interval& a, const Interval& b) noexcept {
+  return {std::fmax(a.entry, b.entry), std::fmin(a.exit, b.exit)};
+}
 
 struct LocalRay {
   Vec3d origin;
@@ -51,6 +55,14 @@ struct ConeFrame {
   }
   [[nodiscard]] Vec3d toWorld(const Vec3d& v) const noexcept {
     return sideways * v.x + upward * v.y + axis * v.z;
+  }
+  /// The cylinder that the wider of the two caps makes.
+  [[nodiscard]] ConeFrame cylinderAround() const noexcept {
+    ConeFrame cylinder = *this;
+    cylinder.meanRadius = std::fmax(bottomRadius, topRadius);
+    cylinder.sine = 0.0;
+    cylinder.cosine = 1.0;
+    return cylinder;
   }
   /// cosine times the radius at the height z: negative beyond the apex.
   [[nodiscard]] double scaledRadius(double z) const noexcept {
@@ -123,6 +135,12 @@ struct SideEquation {
           .c = (distance - radius) * (distance + radius)};
 }
 
+/// The sum or difference of both that does not cancel. Not by std::copysign: the sign of a zero
+/// must not matter.
+[[nodiscard]] inline double awayFromZero(double b, double root) noexcept {
+  return b < 0.0 ? b - root : b + root;
+}
+
 /// The solution that is in the nappe of the cone. The other nappe lies outside the slab between the
 /// caps, so a wrong choice, which rounding may cause near the apex, is never seen.
 [[nodiscard]] inline Interval insideInterval(const SideEquation& side, double widening) noexcept {
@@ -137,7 +155,7 @@ struct SideEquation {
   if (a > 0.0 && !(discriminant >= 0.0))
     return Interval::empty();
   // A line steeper than the side always meets the cone: a negative discriminant is rounding.
-  const double q = -(b + std::copysign(std::sqrt(std::fmax(discriminant, 0.0)), b));
+  const double q = -awayFromZero(b, std::sqrt(std::fmax(discriminant, 0.0)));
   const double first = q / a;
   const double second = q == 0.0 ? 0.0 : c / q;
   const auto [earlier, later] = std::minmax(first, second);
@@ -163,31 +181,32 @@ struct SideEquation {
     return s;
   const auto [a, b, c] = sideEquation(frame, ray.at(s), ray.direction);
   const double discriminant = b * b - a * c;
-  if (!(discriminant > 0.0))
-    return s;
-  const double step = -c / (b + std::copysign(std::sqrt(discriminant), b));
+  // A negative discriminant is rounding where both roots are one: through the apex, or tangent.
+  const double step = discriminant > 0.0 ? -c / awayFromZero(b, std::sqrt(discriminant)) : -b / a;
   return std::isfinite(step) ? s + step : s;
 }
 
-/// Where the line is inside the side, as far as that matters within the slab.
+/// Where the line is inside the cone of the frame and within the slab between its caps; exact only
+/// as far as that.
 ///
 /// The equation is set up at the point closest to the axis. If the side is hit within the slab at
 /// all, that point is no farther from the axis than the side is, so the coefficients are right to a
-/// few roundings of the radius, however long the cone is and however flat the ray. An error of
-/// the direction turns the whole line, but within the slab moves no point by more than
-/// a few roundings of the cone's size.
+/// few roundings of the radius, however long the cone is and however flat the ray. An error of the
+/// direction turns the whole line, but within the slab moves no point by more than a few roundings
+/// of the cone's size.
 [[nodiscard]] inline Interval sideInterval(const ConeFrame& frame, const LocalRay& ray,
                                            const Interval& slab) noexcept {
   const double reference = closestToAxis(ray, slab);
   const SideEquation equation = sideEquation(frame, ray.at(reference), ray.direction);
   const Interval inside = insideInterval(equation, frame.sine * ray.direction.z);
-  Interval side{reference + inside.entry, reference + inside.exit};
-  if (frame.sine != 0.0 && !side.isEmpty()) {
-    const double entry = refinedRoot(frame, ray, side.entry);
-    const double exit = refinedRoot(frame, ray, side.exit);
-    side = {std::fmin(entry, exit), std::fmax(entry, exit)};
-  }
-  return side;
+  if (inside.isEmpty())
+    return Interval::empty();
+  const Interval side{reference + inside.entry, reference + inside.exit};
+  if (frame.sine == 0.0)
+    return side;
+  const double first = refinedRoot(frame, ray, side.entry);
+  const double last = refinedRoot(frame, ray, side.exit);
+  return {std::fmin(first, last), std::fmax(first, last)};
 }
 
 }  // namespace planetree::detail

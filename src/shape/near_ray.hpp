@@ -66,7 +66,8 @@ struct NearRay {
 /// The angle of (x, y) from +x through +y, as a fraction in [0, 1] of the full turn.
 [[nodiscard]] inline double turnFraction(double x, double y) noexcept {
   constexpr double kFullTurn = 6.283185307179586;
-  const double turn = std::atan2(y, x) / kFullTurn;
+  // Adding zero drops the sign of a zero, which says nothing about the point.
+  const double turn = std::atan2(y + 0.0, x + 0.0) / kFullTurn;
   return turn < 0.0 ? turn + 1.0 : turn;
 }
 
