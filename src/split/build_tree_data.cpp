@@ -5,6 +5,7 @@
 #include "split/bound_objects.hpp"
 #include "split/tree_builder.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -54,6 +55,14 @@ std::uint32_t depthLimitFor(const BuildOptions& options, std::size_t objectCount
   return std::min(static_cast<std::uint32_t>(std::lround(levels)), kMaxTreeDepth);
 }
 
+/// oneTBB complains on standard error if it is asked for more threads than it may have.
+int threadCountFor(const BuildOptions& options) {
+  const std::size_t allowed =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const std::size_t wanted = options.threadCount;
+  return static_cast<int>(wanted == 0 ? allowed : std::min(wanted, allowed));
+}
+
 template <class T>
 ClipReferences clipperFor(const std::vector<GeometryEntry<T>>& geometries) {
   return [&geometries](const Box3& cell, std::span<Reference> references) {
@@ -97,8 +106,7 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     tree.report.splitSeconds = splitting.seconds();
   };
   // An arena of its own keeps the caller's tasks out of the build, and the build out of them.
-  tbb::task_arena arena(options.threadCount == 0 ? tbb::task_arena::automatic
-                                                 : static_cast<int>(options.threadCount));
+  tbb::task_arena arena(threadCountFor(options));
   arena.execute(build);
   tree.report.totalSeconds = total.seconds();
   return tree;

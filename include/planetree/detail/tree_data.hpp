@@ -15,12 +15,12 @@ namespace planetree::detail {
 /// after.
 template <class T>
 struct TreeData {
-  std::vector<Node> nodes;                ///< at least one
-  std::vector<std::uint32_t> references;  ///< object numbers; each leaf names a sorted run
-  std::vector<GeometryEntry<T>> geometries;
-  Box3 bounds;  ///< of all objects in the tree; empty without any
-  BuildOptions options;
-  BuildReport report;
+  std::vector<Node> nodes = {};                ///< at least one
+  std::vector<std::uint32_t> references = {};  ///< object numbers; each leaf names a sorted run
+  std::vector<GeometryEntry<T>> geometries = {};
+  Box3 bounds = {};  ///< of all objects in the tree; empty without any
+  BuildOptions options = {};
+  BuildReport report = {};
 };
 
 /// The geometry that an object number belongs to.

@@ -21,9 +21,9 @@ struct BuildOptions {
   /// The number of levels after which every cell becomes a leaf; the root is level 1, so a limit of
   /// 1 makes the whole tree one leaf. From 1 to `kMaxTreeDepth`. Unset: 8 + 1.3 log2(objects), the
   /// field's default.
-  std::optional<std::uint32_t> depthLimit;
+  std::optional<std::uint32_t> depthLimit = std::nullopt;
 
-  CostModel cost;
+  CostModel cost = {};
 
   /// Make a leaf where no split is expected to be cheaper than the leaf. Without it only `leafSize`
   /// and `depthLimit` stop.
@@ -39,8 +39,9 @@ struct BuildOptions {
 
   PlanarRule planarRule = PlanarRule::CheaperSide;
 
-  /// Threads to build with; 0 means as many as the machine has. The tree is the same for any
-  /// number. The work runs in an arena of its own and does not mix with the caller's oneTBB tasks.
+  /// Threads to build with, at most as many as oneTBB may use; 0 means all of these. The tree is
+  /// the same for any number. The work runs in an arena of its own and does not mix with the
+  /// caller's oneTBB tasks.
   std::uint32_t threadCount = 0;
 
   /// The rules of the textbook to the letter: the plane with the smallest (nL AL + nR AR) / A wins,
