@@ -1,5 +1,6 @@
 #include "exit_status.hpp"
 #include "render_command.hpp"
+#include "talk.hpp"
 #include "usage_error.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
@@ -20,10 +20,11 @@ using namespace planetree::tool;
 constexpr const char* kExamples = R"(Examples:
   planetree render                  a picture of a scene made in code
   planetree render bunny.obj        a picture of a model
-  planetree render --help           all options of a command)";
+  planetree render --help           all options of a command
+)";
 
 int say(int status, const std::string& message) {
-  fmt::print(stderr, "planetree: {}\n", message);
+  printToStandardError("planetree: " + message + "\n");
   return status;
 }
 
@@ -42,6 +43,11 @@ int run(int argc, char** argv) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
     const bool isInRender = render->parsed();
+    const bool namesNoCommand = !isInRender && argc > 1 && argv[1][0] != '-';
+    if (namesNoCommand) {
+      throw UsageError(fmt::format("{}: there is no such command", argv[1]),
+                       "See planetree --help.");
+    }
     throw UsageError(error.what(),
                      fmt::format("See planetree {}--help.", isInRender ? "render " : ""));
   }

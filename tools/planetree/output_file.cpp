@@ -124,9 +124,14 @@ bool isSpecialFile(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-/// The file that will be replaced: where a symbolic link points, so that the link stays one.
-fs::path replacedPath(const fs::path& path) {
-  return fs::is_symlink(path) ? fs::weakly_canonical(path) : path;
+/// The file that will be replaced: where a symbolic link leads, even to nothing yet, so that the
+/// link stays one. The system refuses chains that are longer than this one follows.
+fs::path replacedPath(fs::path path) {
+  constexpr int kMaxLinks = 40;
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(path); ++i) {
+    path = folderOf(path) / fs::read_symlink(path);
+  }
+  return path;
 }
 
 void writeDirectly(const fs::path& path, std::span<const std::byte> bytes) {

@@ -1,10 +1,11 @@
 #include "progress_line.hpp"
 
+#include "talk.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace planetree::tool {
@@ -43,9 +44,9 @@ void ProgressLine::update(double done) {
     return;
   lastShown_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "{}{} {:3.0f} %, {} left", kEraseLine, step_, std::floor(100.0 * done),
-             timeText(elapsed * (1.0 - done) / done));
-  std::fflush(stderr);
+  printToStandardError(fmt::format("{}{} {:3.0f} %, {} left", kEraseLine, step_,
+                                   std::floor(100.0 * done),
+                                   timeText(elapsed * (1.0 - done) / done)));
 }
 
 }  // namespace planetree::tool

@@ -48,7 +48,8 @@ constexpr const char* kExamples = R"(Examples:
   planetree render bunny.obj --quiet -o - | display
       the PNG on standard output
 
-Exit status: 0 done, 1 failed, 2 wrong usage.)";
+Exit status: 0 done, 1 failed, 2 wrong usage.
+)";
 
 /// Adds an option whose text `parse` turns into the value.
 template <class Value, class Parse>
@@ -154,7 +155,7 @@ render::Camera chosenCamera(const RenderCommand& command, const render::Camera& 
 }
 
 int sayInterrupted() {
-  fmt::print(stderr, "planetree: interrupted, and no picture was written\n");
+  printToStandardError("planetree: interrupted, and no picture was written\n");
   return kFailed;
 }
 
@@ -195,71 +196,92 @@ int renderSubject(const RenderCommand& command, const Subject& subject, const Ta
   return kDone;
 }
 
+// Descriptions are broken by hand: the help is not wrapped otherwise.
+
+void addPictureOptions(CLI::App& app, RenderCommand& command) {
+  addValue(app, "MODEL", command.model, parsePath,
+           "Model to render: PLY, STL or OBJ, told apart by content;\n"
+           "without one, a still life made in code")
+      ->type_name("");
+  addValue(app, "-o,--output", command.output, parsePath,
+           "PNG file to write, replacing an older one; - is standard\n"
+           "output. Otherwise named after the model, in this folder,\n"
+           "or render.png")
+      ->type_name("FILE");
+  addValue(app, "--size", command.size, parseSize, "Width and height in pixels")
+      ->type_name("WxH")
+      ->default_str(fmt::format("{}x{}", command.size.width, command.size.height));
+  addValue(app, "--mode", command.mode, parseMode,
+           "What to show: ao (ambient occlusion), normals, depth (near\n"
+           "is bright), or heat (work of each ray)")
+      ->type_name("ao|normals|depth|heat")
+      ->default_str("ao");
+  addWholeNumber(app, "--samples", command.samplesPerPixel, 1, kMaxSamplesPerPixel,
+                 "Rays per pixel; in mode ao each that sees a surface sends\n"
+                 "one more. Powers of two are spread best")
+      ->default_str(fmt::format("{}", command.samplesPerPixel));
+  const auto parseSeed = [](const OptionText& option) {
+    return parseWholeNumber(option, 0, std::numeric_limits<std::uint64_t>::max());
+  };
+  addValue(app, "--seed", command.seed, parseSeed, "Another pattern of samples")
+      ->type_name("N")
+      ->default_str(fmt::format("{}", command.seed));
+}
+
+void addViewOptions(CLI::App& app, RenderCommand& command) {
+  const std::string view = "View";
+  addValue(app, "--camera", command.camera, parseCamera,
+           "The eye, the point in the middle of the picture, and the\n"
+           "field of view: six or seven numbers. Otherwise a view of\n"
+           "the whole model, from its right and above")
+      ->type_name("ex,ey,ez,ax,ay,az[,fov]")
+      ->group(view);
+  addValue(app, "--fov", command.fovDegrees, parseFov,
+           "Field of view from the lower to the upper edge, in degrees")
+      ->type_name("DEGREES")
+      ->default_str(fmt::format("{}", render::Framing{}.fovDegrees))
+      ->group(view);
+  addValue(app, "--up", command.up, parseUpAxis, "Which way is up in the model")
+      ->type_name("y|z")
+      ->default_str("y")
+      ->group(view);
+}
+
+void addTreeOptions(CLI::App& app, RenderCommand& command) {
+  const std::string tree = "Tree";
+  addValue(app, "--preset", command.preset, parsePreset,
+           "Build rules: default, or textbook for the rules as taught")
+      ->type_name("default|textbook")
+      ->default_str("default")
+      ->group(tree);
+  addWholeNumber(app, "--leaf-size", command.leafSize, 0, std::numeric_limits<std::uint32_t>::max(),
+                 "Make leaves of this many objects or fewer; otherwise as\n"
+                 "the preset says")
+      ->group(tree);
+  addWholeNumber(app, "--depth-limit", command.depthLimit, 1, kMaxTreeDepth,
+                 "Most levels of the tree; otherwise as the preset says")
+      ->group(tree);
+}
+
+void addRunOptions(CLI::App& app, RenderCommand& command) {
+  const std::string run = "Run";
+  addWholeNumber(app, "--threads", command.threadCount, 0, kMaxThreadCount,
+                 "Threads to use; 0 is as many as the machine has. The\n"
+                 "picture is the same for any number")
+      ->default_str(fmt::format("{}", command.threadCount))
+      ->group(run);
+  app.add_flag("-q,--quiet", command.isQuiet, "Say nothing but errors")->group(run);
+}
+
 }  // namespace
 
 CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
   CLI::App& render = *app.add_subcommand("render", "Render a model, or a still life made in code");
   render.footer(kExamples);
-
-  addValue(render, "MODEL", command.model, parsePath,
-           "Model to render: PLY, STL or OBJ, told apart by their content");
-  addValue(render, "-o,--output", command.output, parsePath,
-           "PNG file to write, replacing an older one; - is standard output. "
-           "Default: the model's name with .png, here; or render.png")
-      ->type_name("FILE");
-  addValue(render, "--size", command.size, parseSize, "Width and height in pixels")
-      ->type_name("WxH")
-      ->default_str("800x600");
-  addValue(render, "--mode", command.mode, parseMode,
-           "What to show: ao (ambient occlusion), normals, depth (near is bright), or heat (work "
-           "of each ray)")
-      ->type_name("ao|normals|depth|heat")
-      ->default_str("ao");
-  addWholeNumber(render, "--samples", command.samplesPerPixel, 1, kMaxSamplesPerPixel,
-                 "Rays per pixel; in mode ao each sends another one to the sky. Powers of two are "
-                 "spread best")
-      ->default_str("16");
-  const auto parseSeed = [](const OptionText& option) {
-    return parseWholeNumber(option, 0, std::numeric_limits<std::uint64_t>::max());
-  };
-  addValue(render, "--seed", command.seed, parseSeed, "Another pattern of random samples")
-      ->type_name("N")
-      ->default_str("0");
-
-  const std::string view = "View";
-  addValue(render, "--camera", command.camera, parseCamera,
-           "The eye, the point in the middle of the picture, and the field of view if wanted: six "
-           "or seven numbers. Default: all of the model, from its right and above")
-      ->type_name("ex,ey,ez,ax,ay,az[,fov]")
-      ->group(view);
-  addValue(render, "--fov", command.fovDegrees, parseFov,
-           "Field of view from the lower to the upper edge, in degrees")
-      ->type_name("DEGREES")
-      ->default_str("40")
-      ->group(view);
-  addValue(render, "--up", command.up, parseUpAxis, "Which way is up in the model")
-      ->type_name("y|z")
-      ->default_str("y")
-      ->group(view);
-
-  const std::string tree = "Tree";
-  addValue(render, "--preset", command.preset, parsePreset,
-           "Build rules: default, or textbook for the rules as taught")
-      ->type_name("default|textbook")
-      ->default_str("default")
-      ->group(tree);
-  addWholeNumber(render, "--leaf-size", command.leafSize, 0,
-                 std::numeric_limits<std::uint32_t>::max(),
-                 "Make leaves of this many objects or fewer; instead of the preset's")
-      ->group(tree);
-  addWholeNumber(render, "--depth-limit", command.depthLimit, 1, kMaxTreeDepth,
-                 "Most levels of the tree; instead of the preset's")
-      ->group(tree);
-
-  addWholeNumber(render, "--threads", command.threadCount, 0, kMaxThreadCount,
-                 "Threads to use; 0 is all the machine has. The picture is the same for any number")
-      ->default_str("0");
-  render.add_flag("-q,--quiet", command.isQuiet, "Say nothing but errors");
+  addPictureOptions(render, command);
+  addViewOptions(render, command);
+  addTreeOptions(render, command);
+  addRunOptions(render, command);
   return &render;
 }
 

@@ -6,6 +6,8 @@
 #include <planetree/error.hpp>
 #include <planetree/mesh/read_mesh.hpp>
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <string>
 #include <utility>

@@ -1,7 +1,10 @@
 #include "talk.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <iterator>
 #include <vector>
 
@@ -33,6 +36,11 @@ void saySkippedList(const Talk& talk, std::string_view what, std::uint64_t count
 }
 
 }  // namespace
+
+void printToStandardError(std::string_view text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
 
 std::string grouped(std::uint64_t number) {
   std::string digits = fmt::format("{}", number);

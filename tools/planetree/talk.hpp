@@ -7,10 +7,7 @@
 #include <planetree/node/tree_statistics.hpp>
 #include <planetree/split/build_report.hpp>
 
-#include <fmt/format.h>
-
 #include <cstdint>
-#include <cstdio>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +15,9 @@
 /// What the tool says beside its result. All of it goes to standard error: standard output belongs
 /// to data.
 namespace planetree::tool {
+
+/// Prints without adding a line end. A standard error that is closed or full is no reason to fail.
+void printToStandardError(std::string_view text) noexcept;
 
 class Talk {
  public:

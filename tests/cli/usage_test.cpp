@@ -1,0 +1,156 @@
+#include "tool_run.hpp"
+
+#include <ostream>
+
+namespace planetree::test {
+namespace {
+
+using Usage = ToolTest;
+
+TEST_F(Usage, HelpGoesToStandardOutputWithExamples) {
+  for (const char* option : {"--help", "-h"}) {
+    const ToolResult whole = run({option});
+    EXPECT_EQ(whole.status, 0);
+    EXPECT_NE(whole.out.find("render"), std::string::npos);
+    EXPECT_NE(whole.out.find("Examples:"), std::string::npos);
+    EXPECT_EQ(whole.err, "");
+
+    const ToolResult render = run({"render", option});
+    EXPECT_EQ(render.status, 0);
+    EXPECT_NE(render.out.find("Examples:"), std::string::npos);
+    EXPECT_EQ(render.err, "");
+  }
+}
+
+TEST_F(Usage, HelpNamesEveryOption) {
+  const std::string help = run({"render", "--help"}).out;
+  for (const char* option :
+       {"MODEL", "-o,--output", "--size WxH=800x600", "--mode ao|normals|depth|heat=ao",
+        "--samples N=16", "--seed", "--camera ex,ey,ez,ax,ay,az[,fov]", "--fov DEGREES=40",
+        "--up y|z", "--preset default|textbook", "--leaf-size", "--depth-limit", "--threads",
+        "-q,--quiet"}) {
+    EXPECT_NE(help.find(option), std::string::npos) << option;
+  }
+}
+
+TEST_F(Usage, HelpFitsIntoTheWidthOfATerminal) {
+  const std::string help = run({"render", "--help"}).out;
+  std::size_t lineStart = 0;
+  for (std::size_t end = help.find('\n'); end != std::string::npos;
+       end = help.find('\n', lineStart)) {
+    EXPECT_LE(end - lineStart, 100u) << help.substr(lineStart, end - lineStart);
+    lineStart = end + 1;
+  }
+}
+
+TEST_F(Usage, VersionGoesToStandardOutput) {
+  const ToolResult result = run({"--version"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out.rfind("planetree ", 0), 0u) << result.out;
+  EXPECT_EQ(result.err, "");
+}
+
+/// A command line that is refused, and what the message must name.
+struct Refused {
+  std::vector<std::string> arguments;
+  std::string named;
+};
+
+void PrintTo(const Refused& refused, std::ostream* out) {
+  for (const std::string& argument : refused.arguments)
+    *out << argument << ' ';
+}
+
+class WrongUsage : public ToolTest, public testing::WithParamInterface<Refused> {};
+
+TEST_P(WrongUsage, EndsWithStatusTwoAndOneLineThatNamesTheOption) {
+  writeModel("model.obj");
+  const ToolResult result = run(GetParam().arguments);
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.rfind("planetree: ", 0), 0u) << result.err;
+  EXPECT_NE(result.err.find(GetParam().named), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << "more than one line: " << result.err;
+  EXPECT_EQ(filesInFolder(), std::vector<std::string>{"model.obj"});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, WrongUsage,
+    testing::Values(Refused{{}, "planetree --help"}, Refused{{"rendr"}, "rendr: there is no such"},
+                    Refused{{"--bogus"}, "planetree --help"},
+                    Refused{{"render", "--bogus"}, "--bogus"},
+                    Refused{{"render", "model.obj", "other.obj"}, "other.obj"},
+                    Refused{{"render", ""}, "MODEL"}, Refused{{"render", "--size"}, "--size"},
+                    Refused{{"render", "--size", "9x9", "--size", "8x8"}, "--size"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, WrongUsage,
+    testing::Values(Refused{{"render", "--size", "0x10"}, "--size 0x10"},
+                    Refused{{"render", "--size", "10x0"}, "--size 10x0"},
+                    Refused{{"render", "--size", "10"}, "--size 10"},
+                    Refused{{"render", "--size", "x"}, "--size x"},
+                    Refused{{"render", "--size", ""}, "--size"},
+                    Refused{{"render", "--size", "10x"}, "--size 10x"},
+                    Refused{{"render", "--size", "10x10x10"}, "--size 10x10x10"},
+                    Refused{{"render", "--size", "-10x10"}, "--size -10x10"},
+                    Refused{{"render", "--size", "1.5x10"}, "--size 1.5x10"},
+                    Refused{{"render", "--size", "10x 10"}, "--size 10x 10"},
+                    Refused{{"render", "--size", "1000000000x1000000000"}, "too large"},
+                    Refused{{"render", "--size", "4294967296x4294967296"}, "too large"},
+                    Refused{{"render", "--size", "99999999999999999999x1"}, "--size 9"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, WrongUsage,
+    testing::Values(Refused{{"render", "--samples", "0"}, "--samples 0"},
+                    Refused{{"render", "--samples", "-4"}, "--samples -4"},
+                    Refused{{"render", "--samples", "1.5"}, "--samples 1.5"},
+                    Refused{{"render", "--samples", "many"}, "--samples many"},
+                    Refused{{"render", "--samples", "99999999"}, "--samples 99999999"},
+                    Refused{{"render", "--seed", "-1"}, "--seed -1"},
+                    Refused{{"render", "--threads", "-1"}, "--threads -1"},
+                    Refused{{"render", "--threads", "1000000"}, "--threads 1000000"},
+                    Refused{{"render", "--leaf-size", "-1"}, "--leaf-size -1"},
+                    Refused{{"render", "--depth-limit", "0"}, "--depth-limit 0"},
+                    Refused{{"render", "--depth-limit", "1000"}, "--depth-limit 1000"}));
+
+INSTANTIATE_TEST_SUITE_P(Choices, WrongUsage,
+                         testing::Values(Refused{{"render", "--mode", "photo"}, "--mode photo"},
+                                         Refused{{"render", "--mode", "AO"}, "--mode AO"},
+                                         Refused{{"render", "--preset", "best"}, "--preset best"},
+                                         Refused{{"render", "model.obj", "--up", "x"}, "--up x"},
+                                         Refused{{"render", "--up", "z"}, "--up z"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Cameras, WrongUsage,
+    testing::Values(Refused{{"render", "--camera", "nan,0,0,1,1,1"}, "nan"},
+                    Refused{{"render", "--camera", "0,0,0,1,inf,1"}, "inf"},
+                    Refused{{"render", "--camera", "0,0,0,1,1e99,1"}, "1e99"},
+                    Refused{{"render", "--camera", "0,0,0,1,1"}, "5 numbers"},
+                    Refused{{"render", "--camera", "0,0,0,1,1,1,40,2"}, "8 numbers"},
+                    Refused{{"render", "--camera", "0,0,0,1,,1"}, "--camera"},
+                    Refused{{"render", "--camera", "zero"}, "--camera zero"},
+                    Refused{{"render", "--camera", "-.5,2,3,-.5,2,3"}, "--camera -.5,2,3"},
+                    Refused{{"render", "--camera", "0,0,0,1,1,1,0"}, "seventh"},
+                    Refused{{"render", "--camera", "0,0,0,1,1,1,180"}, "seventh"},
+                    Refused{{"render", "--camera", "0,0,0,1,1,1,nan"}, "nan"},
+                    Refused{{"render", "--camera", "0,0,0,1,1,1,30", "--fov", "40"}, "--fov"},
+                    Refused{{"render", "--fov", "0"}, "--fov 0"},
+                    Refused{{"render", "--fov", "-40"}, "--fov -40"},
+                    Refused{{"render", "--fov", "180"}, "--fov 180"},
+                    Refused{{"render", "--fov", "nan"}, "--fov nan"}));
+
+INSTANTIATE_TEST_SUITE_P(Outputs, WrongUsage,
+                         testing::Values(Refused{{"render", "-o", "picture.jpg"}, "-o picture.jpg"},
+                                         Refused{{"render", "-o", ""}, "--output"},
+                                         Refused{{"render", "model.obj", "-o", "model.obj"},
+                                                 "-o model.obj"}));
+
+TEST_F(Usage, TheModelIsNotReplacedByItsPicture) {
+  writeModel("model");
+  const ToolResult result = run({"render", "model", "-o", "./model"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("that is the model"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace planetree::test
