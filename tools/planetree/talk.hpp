@@ -28,7 +28,7 @@ class Talk {
   /// One line, unless the tool is to be quiet.
   void say(std::string_view line) const {
     if (!isQuiet_)
-      fmt::print(stderr, "{}\n", line);
+      printToStandardError(std::string(line) + "\n");
   }
 
  private:
