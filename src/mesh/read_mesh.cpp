@@ -59,10 +59,9 @@ Error unknownFormat(const MeshInput& input) {
   const std::string_view text = textOf(input.bytes);
   if (text.empty())
     return error("the file is empty", "Export or copy it again");
+  // gzip, zip, bzip2, xz, zstd
   constexpr std::array<std::string_view, 5> kPacked = {"\x1F\x8B", "PK\x03\x04", "BZh",
-                                                       "\xFD"
-                                                       "7zXZ",
-                                                       "\x28\xB5\x2F\xFD"};
+                                                       "\xFD\x37zXZ", "\x28\xB5\x2F\xFD"};
   const bool isPacked = std::any_of(kPacked.begin(), kPacked.end(), [text](std::string_view mark) {
     return text.starts_with(mark);
   });
