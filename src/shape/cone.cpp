@@ -33,39 +33,36 @@ struct Crossing {
   return rise > 0.0 ? Interval{atBase, atTop} : Interval{atTop, atBase};
 }
 
-/// Where the line is inside the cylinder around the cone, which holds the rims in place: the rim of
-/// a flat cone is a sharp edge, and a rounding of the height alone would move it far outward.
-[[nodiscard]] Interval aroundInterval(const ConeFrame& frame, const LocalRay& ray,
-                                      const Interval& slab) noexcept {
-  return frame.sine == 0.0 ? Interval{} : detail::sideInterval(frame.cylinderAround(), ray, slab);
-}
-
-/// The solid is what is inside the side and inside the slab, so its two crossings are the later of
+/// What is inside the side and inside the slab is the solid, so its two crossings are the later of
 /// the entries and the earlier of the exits. Testing side and caps one by one would leak at the
 /// rims, where each may say that the other is hit.
-[[nodiscard]] std::array<Crossing, 2> solidCrossings(const Interval& side, const Interval& slab,
-                                                     bool isRising) noexcept {
-  const Crossing entry = slab.entry > side.entry
+[[nodiscard]] std::array<Crossing, 2> solidCrossings(const ConeFrame& frame, const LocalRay& ray,
+                                                     const Interval& side,
+                                                     const Interval& slab) noexcept {
+  // The rim of a flat cone is a sharp edge, and a rounding of the height alone would move it far
+  // outward. The cylinder around the cone holds it in place.
+  const Interval around =
+      frame.sine == 0.0 ? side : detail::sideInterval(frame.cylinderAround(), ray, slab);
+  const Interval tube = intersection(side, around);
+  const bool isRising = ray.direction.z > 0.0;
+  const Crossing entry = slab.entry > tube.entry
                              ? Crossing{slab.entry, isRising ? kBaseCapPart : kTopCapPart}
-                             : Crossing{side.entry, kSidePart};
-  const Crossing exit = slab.exit < side.exit
+                             : Crossing{tube.entry, kSidePart};
+  const Crossing exit = slab.exit < tube.exit
                             ? Crossing{slab.exit, isRising ? kTopCapPart : kBaseCapPart}
-                            : Crossing{side.exit, kSidePart};
+                            : Crossing{tube.exit, kSidePart};
   if (entry.s <= exit.s)
     return {entry, exit};
   return {Crossing{detail::kInfinity, kSidePart}, Crossing{detail::kInfinity, kSidePart}};
 }
 
-/// The crossings of the side between the rims. Where rounding leaves one outside the cylinder
-/// around the cone it is moved back, not dropped: side and cylinder may be nearly the same.
-[[nodiscard]] std::array<Crossing, 2> openCrossings(const Interval& side, const Interval& around,
-                                                    const Interval& slab) noexcept {
-  const auto betweenRims = [&](double s) {
-    const double moved = std::fmin(std::fmax(s, around.entry), around.exit);
-    const bool isBetween = slab.contains(s) && slab.contains(moved);
-    return Crossing{isBetween ? moved : detail::kInfinity, kSidePart};
+[[nodiscard]] std::array<Crossing, 2> openCrossings(const ConeFrame& frame, const LocalRay& ray,
+                                                    const Interval& side) noexcept {
+  const auto onSide = [&](double s) {
+    const bool isHit = std::isfinite(s) && detail::isOnSide(frame, ray.at(s));
+    return Crossing{isHit ? s : detail::kInfinity, kSidePart};
   };
-  return {betweenRims(side.entry), betweenRims(side.exit)};
+  return {onSide(side.entry), onSide(side.exit)};
 }
 
 [[nodiscard]] double fraction(double part, double whole) noexcept {
@@ -148,12 +145,10 @@ std::optional<Hit<T>> Cone<T>::intersect(const Ray<T>& ray, T tMin, T tMax) cons
   if (slab.isEmpty())
     return std::nullopt;
   const Interval side = detail::sideInterval(*frame, local, slab);
-  const Interval around = aroundInterval(*frame, local, slab);
-  if (side.isEmpty() || around.isEmpty())
+  if (side.isEmpty())
     return std::nullopt;
   const auto crossings =
-      capped ? solidCrossings(intersection(side, around), slab, local.direction.z > 0.0)
-             : openCrossings(side, around, slab);
+      capped ? solidCrossings(*frame, local, side, slab) : openCrossings(*frame, local, side);
   for (const Crossing& crossing : crossings) {
     const T t = near->template rayParameter<T>(crossing.s);
     if (detail::isWithin(t, tMin, tMax)) {

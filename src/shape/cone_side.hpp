@@ -107,6 +107,21 @@ template <class Cone>
   return frame;
 }
 
+/// True if a point of the double cone lies on the side, between the rims: by its place along the
+/// slanted line from base to top, which tells the rims of flat and of steep cones equally well.
+[[nodiscard]] inline bool isOnSide(const ConeFrame& frame, const Vec3d& point) noexcept {
+  const double place =
+      frame.cosine * point.z + frame.sine * (axisDistance(point) - frame.meanRadius);
+  const double halfLength =
+      frame.cosine * frame.halfHeight + frame.sine * (frame.topRadius - frame.bottomRadius) / 2.0;
+  // The other nappe has negative radii. So may the apex by the rounding of z and of the radius, ten
+  // operations on numbers no larger than the cone; a ray through the apex must not be lost.
+  constexpr double kRoundings = 10.0 * 0x1p-53;
+  const double slack =
+      kRoundings * (frame.cosine * frame.meanRadius + std::fabs(frame.sine) * frame.halfHeight);
+  return std::fabs(place) <= halfLength && frame.scaledRadius(point.z) >= -slack;
+}
+
 /// The unit normal at a point of the side. At the apex, where there is none, it is along the axis.
 [[nodiscard]] inline Vec3d sideNormal(const ConeFrame& frame, const Vec3d& point) noexcept {
   const double distance = axisDistance(point);
@@ -121,6 +136,8 @@ struct SideEquation {
   double a;
   double b;
   double c;
+  double radius;    ///< the scaled radius at the point
+  double widening;  ///< how it grows with s
 };
 
 [[nodiscard]] inline SideEquation sideEquation(const ConeFrame& frame, const Vec3d& point,
@@ -132,7 +149,9 @@ struct SideEquation {
   return {.a = (across - widening) * (across + widening),
           .b = frame.cosine * frame.cosine * (point.x * direction.x + point.y * direction.y) -
                widening * radius,
-          .c = (distance - radius) * (distance + radius)};
+          .c = (distance - radius) * (distance + radius),
+          .radius = radius,
+          .widening = widening};
 }
 
 /// The sum or difference of both that does not cancel. Not by std::copysign: the sign of a zero
@@ -141,10 +160,9 @@ struct SideEquation {
   return b < 0.0 ? b - root : b + root;
 }
 
-/// The solution that is in the nappe of the cone. The other nappe lies outside the slab between the
-/// caps, so a wrong choice, which rounding may cause near the apex, is never seen.
-[[nodiscard]] inline Interval insideInterval(const SideEquation& side, double widening) noexcept {
-  const auto [a, b, c] = side;
+/// The solution in the nappe with positive radius.
+[[nodiscard]] inline Interval insideInterval(const SideEquation& side) noexcept {
+  const auto [a, b, c, radius, widening] = side;
   if (a == 0.0) {
     if (b == 0.0)
       return c <= 0.0 ? Interval{} : Interval::empty();
@@ -156,12 +174,15 @@ struct SideEquation {
     return Interval::empty();
   // A line steeper than the side always meets the cone: a negative discriminant is rounding.
   const double q = -awayFromZero(b, std::sqrt(std::fmax(discriminant, 0.0)));
-  const double first = q / a;
-  const double second = q == 0.0 ? 0.0 : c / q;
-  const auto [earlier, later] = std::minmax(first, second);
-  if (a > 0.0)
-    return {earlier, later};
-  return widening > 0.0 ? Interval{later, kInfinity} : Interval{-kInfinity, earlier};
+  const double farRoot = q / a;
+  const double nearRoot = q == 0.0 ? 0.0 : c / q;
+  const auto [earlier, later] = std::minmax(farRoot, nearRoot);
+  if (a < 0.0) {
+    // It comes from one nappe and goes into the other.
+    return widening > 0.0 ? Interval{later, kInfinity} : Interval{-kInfinity, earlier};
+  }
+  const bool isOtherNappe = radius + widening * nearRoot < 0.0;
+  return isOtherNappe ? Interval::empty() : Interval{earlier, later};
 }
 
 /// The point of the ray, within the slab, that is closest to the axis.
@@ -179,10 +200,11 @@ struct SideEquation {
                                         double s) noexcept {
   if (!std::isfinite(s))
     return s;
-  const auto [a, b, c] = sideEquation(frame, ray.at(s), ray.direction);
-  const double discriminant = b * b - a * c;
+  const SideEquation rest = sideEquation(frame, ray.at(s), ray.direction);
+  const double discriminant = rest.b * rest.b - rest.a * rest.c;
   // A negative discriminant is rounding where both roots are one: through the apex, or tangent.
-  const double step = discriminant > 0.0 ? -c / awayFromZero(b, std::sqrt(discriminant)) : -b / a;
+  const double step = discriminant > 0.0 ? -rest.c / awayFromZero(rest.b, std::sqrt(discriminant))
+                                         : -rest.b / rest.a;
   return std::isfinite(step) ? s + step : s;
 }
 
@@ -198,7 +220,7 @@ struct SideEquation {
                                            const Interval& slab) noexcept {
   const double reference = closestToAxis(ray, slab);
   const SideEquation equation = sideEquation(frame, ray.at(reference), ray.direction);
-  const Interval inside = insideInterval(equation, frame.sine * ray.direction.z);
+  const Interval inside = insideInterval(equation);
   if (inside.isEmpty())
     return Interval::empty();
   const Interval side{reference + inside.entry, reference + inside.exit};
