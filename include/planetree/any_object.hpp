@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planetree/detail/geometry_entry.hpp>
+#include <planetree/detail/object_range.hpp>
 #include <planetree/object.hpp>
 
 #include <cstdint>
@@ -28,7 +28,7 @@ class AnyObject {
   [[nodiscard]] Box3 clippedBounds(const Box3& cell) const {
     Reference reference = bounded().reference;
     reference.object = primitive_;
-    entry_->table->clip(entry_->range, 0, cell, std::span(&reference, 1));
+    entry_->bounding->clip(entry_->range, 0, cell, std::span(&reference, 1));
     return reference.bounds;
   }
 
@@ -40,14 +40,14 @@ class AnyObject {
     const detail::LeafRun run{std::span(&primitive_, 1), 0, geometry_};
     Hit<T> hit;
     const bool found =
-        entry_->table->findNearest(entry_->range, run, ShearedRay<T>(ray), tMin, tMax, hit).found;
+        entry_->intersecting->findNearest(entry_->range, run, ShearedRay<T>(ray), tMin, tMax, hit).found;
     return found ? std::optional(hit) : std::nullopt;
   }
 
  private:
   [[nodiscard]] detail::BoundedObject bounded() const {
     detail::BoundedObject object;
-    entry_->table->bound(entry_->range, primitive_, std::span(&object, 1));
+    entry_->bounding->bound(entry_->range, primitive_, std::span(&object, 1));
     return object;
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planetree/detail/geometry_entry.hpp>
+#include <planetree/detail/object_range.hpp>
 #include <planetree/mesh/triangle_mesh.hpp>
 #include <planetree/object.hpp>
 

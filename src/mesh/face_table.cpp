@@ -1,4 +1,4 @@
-#include <planetree/detail/geometry_entry.hpp>
+#include <planetree/detail/object_range.hpp>
 #include <planetree/mesh/clip_triangle.hpp>
 #include <planetree/mesh/triangle_intersection.hpp>
 
@@ -70,17 +70,22 @@ LeafAnswer findAnyFace(const void* range, const LeafRun& run, const ShearedRay<T
 }  // namespace
 
 template <class T>
-const ObjectTable<T>& faceTable() noexcept {
-  static constexpr ObjectTable<T> kFaceTable = {
-      .bound = boundFaces<T>,
-      .clip = kObjectTable<TriangleMeshView<T>, T>.clip,
-      .findNearest = findNearestFace<T>,
-      .findAny = findAnyFace<T>,
-  };
-  return kFaceTable;
+const BoundingTable& faceBoundingTable() noexcept {
+  static constexpr BoundingTable kTable = {.bound = boundFaces<T>,
+                                           .clip = clipReferences<TriangleMeshView<T>>};
+  return kTable;
 }
 
-template const ObjectTable<float>& faceTable<float>() noexcept;
-template const ObjectTable<double>& faceTable<double>() noexcept;
+template <class T>
+const IntersectionTable<T>& faceIntersectionTable() noexcept {
+  static constexpr IntersectionTable<T> kTable = {.findNearest = findNearestFace<T>,
+                                                  .findAny = findAnyFace<T>};
+  return kTable;
+}
+
+template const BoundingTable& faceBoundingTable<float>() noexcept;
+template const BoundingTable& faceBoundingTable<double>() noexcept;
+template const IntersectionTable<float>& faceIntersectionTable<float>() noexcept;
+template const IntersectionTable<double>& faceIntersectionTable<double>() noexcept;
 
 }  // namespace planetree::detail

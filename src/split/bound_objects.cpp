@@ -1,5 +1,6 @@
 #include "split/bound_objects.hpp"
 
+#include <planetree/detail/bounding_table.hpp>
 #include <planetree/error.hpp>
 
 #include <tbb/blocked_range.h>
@@ -36,7 +37,7 @@ std::vector<BoundedObject> boundGeometry(const GeometryEntry<T>& geometry) {
   std::vector<BoundedObject> objects(geometry.size);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, objects.size(), kBatchSize),
                     [&](const tbb::blocked_range<std::size_t>& batch) {
-                      geometry.table->bound(
+                      geometry.bounding->bound(
                           geometry.range, static_cast<std::uint32_t>(batch.begin()),
                           std::span(objects).subspan(batch.begin(), batch.size()));
                     });

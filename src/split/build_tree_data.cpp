@@ -1,3 +1,4 @@
+#include <planetree/detail/bounding_table.hpp>
 #include <planetree/detail/tree_data.hpp>
 #include <planetree/error.hpp>
 
@@ -73,7 +74,7 @@ ClipReferences clipperFor(const std::vector<GeometryEntry<T>>& geometries) {
       const auto run = std::partition_point(references.begin(), references.end(),
                                             [&](const Reference& r) { return r.object < end; });
       const auto count = static_cast<std::size_t>(run - references.begin());
-      geometry.table->clip(geometry.range, geometry.firstObject, cell, references.first(count));
+      geometry.bounding->clip(geometry.range, geometry.firstObject, cell, references.first(count));
       references = references.subspan(count);
     }
   };

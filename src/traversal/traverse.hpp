@@ -1,6 +1,7 @@
 #pragma once
 
-#include <planetree/detail/tree_data.hpp>
+#include <planetree/detail/geometry_entry.hpp>
+#include <planetree/detail/intersection_table.hpp>
 #include <planetree/hit/hit.hpp>
 #include <planetree/node/node.hpp>
 #include <planetree/traversal/order_children.hpp>
@@ -93,8 +94,8 @@ bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
     const auto [tMin, tMax] = query.interval;
     const LeafAnswer answer =
         Goal::kStopsAtAnyHit
-            ? entry.table->findAny(entry.range, run, query.ray.sheared, tMin, tMax)
-            : entry.table->findNearest(entry.range, run, query.ray.sheared, tMin, tMax, hit);
+            ? entry.intersecting->findAny(entry.range, run, query.ray.sheared, tMin, tMax)
+            : entry.intersecting->findNearest(entry.range, run, query.ray.sheared, tMin, tMax, hit);
     counter.testObjects(answer.testedCount);
     found |= answer.found;
     if (Goal::kStopsAtAnyHit && found)

@@ -23,19 +23,6 @@ struct TreeData {
   BuildReport report = {};
 };
 
-/// The geometry that an object number belongs to.
-template <class T>
-[[nodiscard]] std::uint32_t geometryOf(std::span<const GeometryEntry<T>> geometries,
-                                       std::uint32_t object) noexcept {
-  std::uint32_t first = 0;
-  auto last = static_cast<std::uint32_t>(geometries.size());
-  while (last - first > 1) {
-    const std::uint32_t middle = first + (last - first) / 2;
-    (geometries[middle].firstObject <= object ? first : last) = middle;
-  }
-  return first;
-}
-
 /// Builds the tree of all objects of the geometries, numbered in their order.
 template <class T>
 [[nodiscard]] TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries,

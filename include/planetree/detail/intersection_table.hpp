@@ -1,21 +1,14 @@
 #pragma once
 
 #include <planetree/geometry/sheared_ray.hpp>
+#include <planetree/hit/hit.hpp>
 #include <planetree/object.hpp>
-#include <planetree/split/build_report.hpp>
-#include <planetree/split/reference.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <span>
 
 namespace planetree::detail {
-
-/// An object as the builder receives it.
-struct BoundedObject {
-  Reference reference;
-  std::optional<SkipReason> skipReason;  ///< set if the object cannot enter the tree
-};
 
 /// What a leaf found in one run of its references.
 struct LeafAnswer {
@@ -31,19 +24,10 @@ struct LeafRun {
   std::uint32_t geometry = 0;
 };
 
-/// How the compiled core reaches objects whose type it does not know: plain functions that take the
-/// address of an object range. Called once per batch while building and once per leaf while
-/// tracing, so that the indirect call is shared by many objects.
+/// How traversal reaches objects whose type it does not know: plain functions that take the address
+/// of an object range. Called once per leaf, so that the indirect call is shared by its objects.
 template <class T>
-struct ObjectTable {
-  /// Bounds the primitives `first`, `first + 1`, ...: one for each entry of `objects`. The object
-  /// numbers are left unset.
-  void (*bound)(const void* range, std::uint32_t first, std::span<BoundedObject> objects);
-
-  /// Shrinks the box of each reference to what its object has inside the cell.
-  void (*clip)(const void* range, std::uint32_t firstObject, const Box3& cell,
-               std::span<Reference> references);
-
+struct IntersectionTable {
   /// Replaces `hit` by the first, in the order of `isBefore`, of itself and the hits of the run
   /// with t in [tMin, tMax].
   LeafAnswer (*findNearest)(const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
@@ -89,44 +73,9 @@ LeafAnswer findAnyInRun(const LeafRun& run, T tMin, T tMax, Intersect&& intersec
   return answer;
 }
 
-/// An object in the form the builder takes, or the reason why it cannot be taken.
-template <Object O>
-[[nodiscard]] BoundedObject boundObject(const O& object) {
-  BoundedObject bounded;
-  Reference& reference = bounded.reference;
-  reference.bounds = objectBounds(object);
-  for (const Axis axis : kAxes) {
-    if (objectPlanarSide(object, axis) < 0)
-      reference.leftSides |= 1u << static_cast<unsigned>(axis);
-  }
-  if (reference.bounds == Box3{}) {
-    bounded.skipReason = SkipReason::Empty;
-  } else if (!isFinite(reference.bounds.lower) || !isFinite(reference.bounds.upper)) {
-    bounded.skipReason = SkipReason::NotFinite;
-  } else if (reference.bounds.isEmpty()) {
-    bounded.skipReason = SkipReason::Empty;
-  }
-  return bounded;
-}
-
 /// The table for a range of objects: anything with `operator[]` that gives an `Object`.
 template <class Range, class T>
-inline constexpr ObjectTable<T> kObjectTable = {
-    .bound =
-        [](const void* range, std::uint32_t first, std::span<BoundedObject> objects) {
-          const Range& shapes = *static_cast<const Range*>(range);
-          for (BoundedObject& object : objects)
-            object = boundObject(shapes[first++]);
-        },
-    .clip =
-        [](const void* range, std::uint32_t firstObject, const Box3& cell,
-           std::span<Reference> references) {
-          const Range& shapes = *static_cast<const Range*>(range);
-          for (Reference& reference : references) {
-            const Box3 clipped = objectClippedBounds(shapes[reference.object - firstObject], cell);
-            reference.bounds = intersection(reference.bounds, intersection(clipped, cell));
-          }
-        },
+inline constexpr IntersectionTable<T> kIntersectionTable = {
     .findNearest = [](const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
                       T tMax, Hit<T>& hit) noexcept -> LeafAnswer {
       const Range& shapes = *static_cast<const Range*>(range);
