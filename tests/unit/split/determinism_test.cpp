@@ -1,0 +1,124 @@
+#include <planetree/build_tree.hpp>
+#include <planetree/scene.hpp>
+
+#include "unit/split/random_meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+namespace planetree {
+namespace {
+
+using test::MeshGenerator;
+
+constexpr std::uint32_t kSeed = 141'421;
+// Large enough for the builder to hand subtrees to other threads at several levels.
+constexpr int kLargeFaceCount = 60'000;
+
+template <class Word>
+void expectSameBytes(std::span<const Word> a, std::span<const Word> b) {
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0);
+}
+
+template <class O>
+void expectSameTree(const KdTree<O>& a, const KdTree<O>& b) {
+  expectSameBytes(a.nodes(), b.nodes());
+  expectSameBytes(a.view().references, b.view().references);
+  EXPECT_EQ(a.bounds(), b.bounds());
+}
+
+template <class T>
+void expectSameTreeForAllThreadCounts(TriangleMeshView<T> mesh, BuildOptions options) {
+  options.threadCount = 1;
+  const auto serial = buildTree(mesh, options);
+  EXPECT_GT(serial.nodes().size(), 1u);
+  for (const std::uint32_t threadCount : {1u, 2u, 3u, 8u, 0u}) {
+    options.threadCount = threadCount;
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", " << threadCount << " threads");
+    expectSameTree(serial, buildTree(mesh, options));
+  }
+}
+
+TEST(Determinism, HoldsForAllThreadCountsOnALargeSoup) {
+  MeshGenerator generator(kSeed);
+  const auto mesh = generator.soupOfAnyCoordinates<float>(kLargeFaceCount, 0.01f);
+  expectSameTreeForAllThreadCounts(mesh.view(), {});
+}
+
+TEST(Determinism, HoldsForAllThreadCountsOnALargeGridWithManyTies) {
+  MeshGenerator generator(kSeed);
+  const auto mesh = generator.axisAlignedGrid<float>(kLargeFaceCount / 2, 24);
+  expectSameTreeForAllThreadCounts(mesh.view(), {});
+}
+
+TEST(Determinism, HoldsForAllThreadCountsWithWholeBoxes) {
+  MeshGenerator generator(kSeed);
+  const auto mesh = generator.soupOfAnyCoordinates<double>(kLargeFaceCount, 0.01);
+  expectSameTreeForAllThreadCounts(mesh.view(), BuildOptions::textbook());
+}
+
+TEST(Determinism, HoldsForScenesOfSeveralGeometries) {
+  MeshGenerator generator(kSeed);
+  const auto first = generator.soupOfAnyCoordinates<float>(5000, 0.02f);
+  const auto second = generator.integerSoup<float>(5000, 2, 1);
+  Scene<float> scene;
+  scene.add(first.view());
+  scene.add(second.view());
+  scene.add(first.view());
+  BuildOptions options;
+  options.threadCount = 1;
+  const auto serial = buildTree(scene, options);
+  options.threadCount = 8;
+  expectSameTree(serial, buildTree(scene, options));
+}
+
+TEST(Determinism, HoldsForOwnedAndViewedMeshes) {
+  MeshGenerator generator(kSeed);
+  const auto mesh = generator.soupOfAnyCoordinates<float>(3000, 0.05f);
+  expectSameTree(buildTree(mesh.view()), buildTree(mesh));
+}
+
+/// The planes of a tree from left to right, and how many objects each leaf has.
+template <class O>
+std::vector<Node> nodesWithoutReferenceOffsets(const KdTree<O>& tree) {
+  std::vector<Node> nodes;
+  for (const Node& node : tree.nodes())
+    nodes.push_back(node.isLeaf() ? Node(LeafNode(0, node.leaf().count())) : node);
+  return nodes;
+}
+
+TEST(Determinism, LeavesThePlanesAloneWhenFacesAreReordered) {
+  for (std::uint32_t seed = kSeed; seed < kSeed + 10; ++seed) {
+    MeshGenerator generator(seed);
+    for (const BuildOptions& options : {BuildOptions{}, BuildOptions::textbook()}) {
+      const auto mesh = generator.axisAlignedGrid<float>(300, 6);
+      TriangleMesh<float> reversed = mesh;
+      std::reverse(reversed.faces.begin(), reversed.faces.end());
+      const auto tree = buildTree(mesh.view(), options);
+      const auto other = buildTree(reversed.view(), options);
+      SCOPED_TRACE(testing::Message() << "seed " << seed);
+      expectSameBytes<Node>(nodesWithoutReferenceOffsets(tree),
+                            nodesWithoutReferenceOffsets(other));
+      const auto last = static_cast<std::uint32_t>(mesh.faces.size() - 1);
+      for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
+        if (!tree.nodes()[i].isLeaf())
+          continue;
+        std::vector<std::uint32_t> mirrored;
+        for (const std::uint32_t face : other.references(other.nodes()[i].leaf()))
+          mirrored.insert(mirrored.begin(), last - face);
+        const auto faces = tree.references(tree.nodes()[i].leaf());
+        EXPECT_EQ(std::vector(faces.begin(), faces.end()), mirrored);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace planetree
