@@ -10,8 +10,8 @@ packages_for() {
                 libstb-dev libgtest-dev ;;
     # To have a bunny to draw.
     demo) echo glmark2-data ;;
-    # For .ci/run: a second compiler, and what reads the sources.
-    ci) echo clang clang-format git shellcheck ;;
+    # For .ci/run: a second compiler with its sanitizers, and what reads the sources.
+    ci) echo clang libclang-rt-14-dev clang-format git shellcheck ;;
     *) say "no packages are known for '$1'"; return 1 ;;
   esac
 }

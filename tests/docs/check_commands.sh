@@ -2,8 +2,8 @@
 # check_commands.sh REPOSITORY FOLDER: runs the README's commands of the tool, which is in the folder,
 # as they stand there, in an empty folder with a small model under the name that the README uses.
 set -euo pipefail
-readme=$1/README.md
-PATH=$2:$PATH
+readme=$(realpath "$1")/README.md
+PATH=$(realpath "$2"):$PATH
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
