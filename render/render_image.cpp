@@ -83,7 +83,7 @@ class TileRenderer {
       const SamplePoint point = points_.at(x, y, i);
       const Rayf ray = camera_.ray((x + point.film.x) / settings_.size.width,
                                    (y + point.film.y) / settings_.size.height);
-      sum += shading_->shade(counter, ray, point.direction);
+      sum += shading_->shade(counter, ray, point.directions);
     }
     const float weight = 1.0f / static_cast<float>(settings_.samplesPerPixel);
     return {.value = sum.value * weight, .coverage = sum.coverage * weight};

@@ -22,7 +22,7 @@ struct RenderSettings {
   RenderMode mode = RenderMode::AmbientOcclusion;
 
   /// Camera rays for each pixel; at least 1. Powers of two are spread best.
-  std::uint32_t samplesPerPixel = 16;
+  std::uint32_t samplesPerPixel = 8;
   std::uint64_t seed = 0;
 
   /// 0 means as many as the machine has. The picture is the same for any number.

@@ -76,9 +76,13 @@ constexpr std::uint32_t mortonIndex(std::uint32_t x, std::uint32_t y) noexcept {
 
 SamplePoint SamplePoints::at(std::uint32_t pixelX, std::uint32_t pixelY,
                              std::uint32_t sample) const noexcept {
-  // Beyond 2^32 samples in a picture the index wraps around, and far-off pixels share their points.
+  // Beyond 2^32 points in a picture the index wraps around, and far-off pixels share their points.
   const std::uint32_t index = mortonIndex(pixelX, pixelY) * samplesPerPixel_ + sample;
-  return {scrambledSobol(index, 2 * seed_), scrambledSobol(index, 2 * seed_ + 1)};
+  SamplePoint point{.film = scrambledSobol(index, 2 * seed_), .directions = {}};
+  for (std::uint32_t i = 0; i < kDirectionsPerSample; ++i) {
+    point.directions[i] = scrambledSobol(index * kDirectionsPerSample + i, 2 * seed_ + 1);
+  }
+  return point;
 }
 
 Vec3f cosineDistributed(const Vec3f& normal, const Point2& point) noexcept {

@@ -2,6 +2,7 @@
 
 #include <planetree/geometry/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 
 namespace planetree::render {
@@ -12,10 +13,16 @@ struct Point2 {
   double y = 0.0;
 };
 
-/// Where one sample of a pixel looks: a place within the pixel and one for a direction.
+/// How many directions a shading may try for each camera ray.
+inline constexpr std::uint32_t kDirectionsPerSample = 4;
+
+/// Points to choose directions by.
+using DirectionPoints = std::array<Point2, kDirectionsPerSample>;
+
+/// What one sample of a pixel is made of.
 struct SamplePoint {
-  Point2 film;
-  Point2 direction;
+  Point2 film;  ///< the place within the pixel
+  DirectionPoints directions;
 };
 
 /// The low-discrepancy points of a picture. Every sample is a function of seed, pixel and number

@@ -41,16 +41,20 @@ AmbientOcclusion::AmbientOcclusion(const Box3& scene, const CameraAxes& axes, co
       albedos_(std::move(albedos)) {}
 
 FilmSample AmbientOcclusion::shade(RayCounter& tracer, const Rayf& cameraRay,
-                                   const Point2& direction) const noexcept {
+                                   const DirectionPoints& directions) const noexcept {
   const auto hit = tracer.findIntersection(cameraRay);
   if (!hit)
     return {};
   const Vec3f normal = normalTowardViewer(*hit, cameraRay);
   const Vec3f point = cameraRay.at(hit->t);
-  const Rayf shadowRay{.origin = point + normal * surfaceOffset(scene_, point),
-                       .direction = cosineDistributed(normal, direction),
-                       .tMax = reach_};
-  const float open = tracer.isOccluded(shadowRay) ? kBounce : 1.0f;
+  Rayf ray{
+      .origin = point + normal * surfaceOffset(scene_, point), .direction = {}, .tMax = reach_};
+  float open = 0.0f;
+  for (const Point2& direction : directions) {
+    ray.direction = cosineDistributed(normal, direction);
+    open += tracer.isOccluded(ray) ? kBounce : 1.0f;
+  }
+  open /= static_cast<float>(directions.size());
   return {.value = product(albedo(*hit), openLight(normal)) * open, .coverage = 1.0f};
 }
 

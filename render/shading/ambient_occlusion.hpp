@@ -11,7 +11,8 @@
 namespace planetree::render {
 
 /// Ambient occlusion: a surface has the light of a bright dome, times the part of the directions in
-/// which nothing near stands in the way. Each camera ray that sees a surface tries one direction.
+/// which nothing near stands in the way. Each camera ray that sees a surface tries a few
+/// directions: that gives less noise for the time than more camera rays, many of which see nothing.
 /// Light and openness are multiplied, not traced together, so that open surfaces show no noise.
 class AmbientOcclusion final : public Shading {
  public:
@@ -22,7 +23,7 @@ class AmbientOcclusion final : public Shading {
                    std::vector<Vec3f> albedos);
 
   [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
-                                 const Point2& direction) const noexcept override;
+                                 const DirectionPoints& directions) const noexcept override;
   [[nodiscard]] DevelopedImage develop(const Film& film) const override;
 
  private:

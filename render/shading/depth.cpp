@@ -33,7 +33,7 @@ std::vector<float> coveredDepths(const Film& film) {
 }  // namespace
 
 FilmSample Depth::shade(RayCounter& tracer, const Rayf& cameraRay,
-                        const Point2& /*direction*/) const noexcept {
+                        const DirectionPoints& /*directions*/) const noexcept {
   const auto hit = tracer.findIntersection(cameraRay);
   if (!hit)
     return {};

@@ -13,7 +13,7 @@ class Depth final : public Shading {
   explicit Depth(const Vec3f& viewDirection) : viewDirection_(viewDirection) {}
 
   [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
-                                 const Point2& direction) const noexcept override;
+                                 const DirectionPoints& directions) const noexcept override;
   [[nodiscard]] DevelopedImage develop(const Film& film) const override;
 
  private:

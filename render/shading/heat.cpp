@@ -16,7 +16,7 @@ constexpr double kBrightestPercentile = 0.995;
 }  // namespace
 
 FilmSample Heat::shade(RayCounter& tracer, const Rayf& cameraRay,
-                       const Point2& /*direction*/) const noexcept {
+                       const DirectionPoints& /*directions*/) const noexcept {
   StepCounts steps;
   const bool isHit = tracer.findIntersection(cameraRay, steps).has_value();
   const auto work = static_cast<float>(steps.splitNodes + steps.objects);

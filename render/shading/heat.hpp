@@ -10,7 +10,7 @@ namespace planetree::render {
 class Heat final : public Shading {
  public:
   [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
-                                 const Point2& direction) const noexcept override;
+                                 const DirectionPoints& directions) const noexcept override;
   [[nodiscard]] DevelopedImage develop(const Film& film) const override;
 };
 

@@ -8,7 +8,7 @@
 namespace planetree::render {
 
 FilmSample Normals::shade(RayCounter& tracer, const Rayf& cameraRay,
-                          const Point2& /*direction*/) const noexcept {
+                          const DirectionPoints& /*directions*/) const noexcept {
   const auto hit = tracer.findIntersection(cameraRay);
   if (!hit)
     return {};

@@ -30,10 +30,10 @@ class Shading {
  public:
   virtual ~Shading() = default;
 
-  /// What one camera ray sees. `direction` is a sample point for whatever the shading has to choose
-  /// at random. Any thread may call it.
+  /// What one camera ray sees. Whatever the shading has to choose at random it chooses by
+  /// `directions`. Any thread may call it.
   [[nodiscard]] virtual FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
-                                         const Point2& direction) const noexcept = 0;
+                                         const DirectionPoints& directions) const noexcept = 0;
 
   [[nodiscard]] virtual DevelopedImage develop(const Film& film) const = 0;
 };

@@ -26,7 +26,7 @@ TEST_F(Usage, HelpNamesEveryOption) {
   const std::string help = run({"render", "--help"}).out;
   for (const char* option :
        {"MODEL", "-o,--output", "--size WxH=800x600", "--mode ao|normals|depth|heat=ao",
-        "--samples N=16", "--seed", "--camera ex,ey,ez,ax,ay,az[,fov]", "--fov DEGREES=40",
+        "--samples N=8", "--seed", "--camera ex,ey,ez,ax,ay,az[,fov]", "--fov DEGREES=40",
         "--up y|z", "--preset default|textbook", "--leaf-size", "--depth-limit", "--threads",
         "-q,--quiet"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;

@@ -41,7 +41,7 @@ constexpr const char* kExamples = R"(Examples:
       ambient occlusion of a model, as bunny.png
   planetree render bunny.obj --mode heat -o bunny-heat.png
       how much work each ray is
-  planetree render scan.ply --up z --size 1920x1080 --samples 64
+  planetree render scan.ply --up z --size 1920x1080 --samples 32
       a model with z up, larger and smoother
   planetree render room.ply --camera -15,-9,0.5,10,-7,-1,70
       from the eye (-15, -9, 0.5) toward (10, -7, -1), 70 degrees
@@ -218,7 +218,7 @@ void addPictureOptions(CLI::App& app, RenderCommand& command) {
       ->default_str("ao");
   addWholeNumber(app, "--samples", command.samplesPerPixel, 1, kMaxSamplesPerPixel,
                  "Rays per pixel; in mode ao each that sees a surface sends\n"
-                 "one more. Powers of two are spread best")
+                 "four more. Powers of two are spread best")
       ->default_str(fmt::format("{}", command.samplesPerPixel));
   const auto parseSeed = [](const OptionText& option) {
     return parseWholeNumber(option, 0, std::numeric_limits<std::uint64_t>::max());

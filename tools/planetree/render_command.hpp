@@ -23,7 +23,7 @@ struct RenderCommand {
   std::optional<std::filesystem::path> output;
   render::ImageSize size{800, 600};
   render::RenderMode mode = render::RenderMode::AmbientOcclusion;
-  std::uint32_t samplesPerPixel = 16;
+  std::uint32_t samplesPerPixel = 8;
   std::uint64_t seed = 0;
   std::optional<CameraOption> camera;
   std::optional<float> fovDegrees;

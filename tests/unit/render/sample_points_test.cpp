@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace planetree::render {
 namespace {
@@ -19,35 +20,39 @@ TEST(SamplePoints, LieInTheUnitSquare) {
     for (const std::uint32_t x : {0u, 17u, 65535u}) {
       const SamplePoint point = points.at(x, 65535u - x, i);
       EXPECT_TRUE(isInUnitSquare(point.film));
-      EXPECT_TRUE(isInUnitSquare(point.direction));
+      for (const Point2& direction : point.directions)
+        EXPECT_TRUE(isInUnitSquare(direction));
     }
   }
 }
 
 /// Every cell of a grid of columns x rows, as many cells as points, holds one point.
-template <class Choose>
-void expectOnePointPerCell(const SamplePoints& points, std::uint32_t x, std::uint32_t y,
-                           int columns, int rows, const Choose& choose) {
+void expectOnePointPerCell(const std::vector<Point2>& points, std::size_t columns) {
+  const std::size_t rows = points.size() / columns;
   std::set<std::pair<int, int>> cells;
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(columns * rows); ++i) {
-    const Point2 point = choose(points.at(x, y, i));
-    cells.emplace(static_cast<int>(point.x * columns), static_cast<int>(point.y * rows));
+  for (const Point2& point : points) {
+    cells.emplace(static_cast<int>(point.x * static_cast<double>(columns)),
+                  static_cast<int>(point.y * static_cast<double>(rows)));
   }
-  EXPECT_EQ(cells.size(), static_cast<std::size_t>(columns * rows))
-      << columns << " x " << rows << " at " << x << ", " << y;
+  EXPECT_EQ(cells.size(), points.size()) << columns << " x " << rows;
 }
 
 TEST(SamplePoints, OfAPixelFillEveryGridOfAPowerOfTwo) {
+  constexpr std::uint32_t kSamples = 16;
   for (const std::uint64_t seed : {0u, 1u, 99u}) {
-    const SamplePoints points(16, seed);
-    for (const std::uint32_t x : {0u, 1u, 2u, 797u}) {
-      for (const std::uint32_t y : {0u, 5u, 599u}) {
-        for (const int columns : {1, 2, 4, 8, 16}) {
-          const auto film = [](const SamplePoint& point) { return point.film; };
-          const auto direction = [](const SamplePoint& point) { return point.direction; };
-          expectOnePointPerCell(points, x, y, columns, 16 / columns, film);
-          expectOnePointPerCell(points, x, y, columns, 16 / columns, direction);
-        }
+    const SamplePoints points(kSamples, seed);
+    for (const auto& [x, y] : {std::pair{0u, 0u}, {1u, 0u}, {2u, 5u}, {797u, 599u}}) {
+      SCOPED_TRACE(testing::Message() << "pixel " << x << ", " << y << ", seed " << seed);
+      std::vector<Point2> film;
+      std::vector<Point2> directions;
+      for (std::uint32_t i = 0; i < kSamples; ++i) {
+        const SamplePoint point = points.at(x, y, i);
+        film.push_back(point.film);
+        directions.insert(directions.end(), point.directions.begin(), point.directions.end());
+      }
+      for (const std::size_t columns : {1u, 2u, 4u, 8u, 16u}) {
+        expectOnePointPerCell(film, columns);
+        expectOnePointPerCell(directions, columns);
       }
     }
   }
@@ -59,7 +64,7 @@ TEST(SamplePoints, DifferByPixelAndBySeed) {
   EXPECT_NE(SamplePoints(16, 0).at(4, 4, 5).film.x, point.film.x);
   EXPECT_NE(SamplePoints(16, 0).at(3, 5, 5).film.x, point.film.x);
   EXPECT_NE(SamplePoints(16, 1).at(3, 4, 5).film.x, point.film.x);
-  EXPECT_NE(point.direction.x, point.film.x);
+  EXPECT_NE(point.directions[0].x, point.film.x);
 }
 
 TEST(CosineDistributed, HasUnitDirectionsInTheHemisphereOfTheNormal) {
@@ -70,7 +75,7 @@ TEST(CosineDistributed, HasUnitDirectionsInTheHemisphereOfTheNormal) {
         normalized(Vec3f{1e-4f, 1e-4f, -1.0f})}) {
     Vec3d sum;
     for (std::uint32_t i = 0; i < 256; ++i) {
-      const Vec3f direction = cosineDistributed(normal, points.at(0, 0, i).direction);
+      const Vec3f direction = cosineDistributed(normal, points.at(0, 0, i).film);
       EXPECT_NEAR(static_cast<double>(length(direction)), 1.0, 1e-6);
       EXPECT_GE(dot(direction, normal), -1e-6f);
       sum = sum + Vec3d(direction);

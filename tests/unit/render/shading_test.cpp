@@ -47,7 +47,7 @@ float meanLight(const AmbientOcclusion& shading, const Tracer& tracer, const Ray
   RayCounter counter(tracer);
   float sum = 0.0f;
   for (std::uint32_t i = 0; i < 64; ++i) {
-    sum += shading.shade(counter, ray, points.at(0, 0, i).direction).value.y;
+    sum += shading.shade(counter, ray, points.at(0, 0, i).directions).value.y;
   }
   return sum / 64.0f;
 }
@@ -56,7 +56,7 @@ TEST(AmbientOcclusion, AnOpenFloorShadesNothing) {
   const auto tracer = floorTracer();
   const AmbientOcclusion shading = ambientOcclusion(*tracer);
   RayCounter counter(*tracer);
-  const float once = shading.shade(counter, kDownward, {0.5, 0.5}).value.y;
+  const float once = shading.shade(counter, kDownward, {}).value.y;
   EXPECT_NEAR(meanLight(shading, *tracer, kDownward), once, 1e-6f);
 }
 
@@ -69,14 +69,14 @@ TEST(AmbientOcclusion, CornersAreDarkerThanOpenPlaces) {
   EXPECT_LT(meanLight(shading, *tracer, corner), 0.6f * middle);
 }
 
-TEST(AmbientOcclusion, TracesTwoRaysForASurfaceAndOneForNothing) {
+TEST(AmbientOcclusion, TriesDirectionsFromSurfacesOnly) {
   const auto tracer = floorTracer();
   const AmbientOcclusion shading = ambientOcclusion(*tracer);
   RayCounter counter(*tracer);
   EXPECT_EQ(shading.shade(counter, kDownward, {}).coverage, 1.0f);
-  EXPECT_EQ(counter.rayCount(), 2u);
+  EXPECT_EQ(counter.rayCount(), 1 + kDirectionsPerSample);
   EXPECT_EQ(shading.shade(counter, kUpward, {}).coverage, 0.0f);
-  EXPECT_EQ(counter.rayCount(), 3u);
+  EXPECT_EQ(counter.rayCount(), 2 + kDirectionsPerSample);
 }
 
 TEST(AmbientOcclusion, GeometriesWithoutAColourAreOfClay) {
