@@ -74,6 +74,8 @@ template <std::floating_point T>
 Box3 Box<T>::clippedBounds(const Box3& cell) const noexcept {
   const Box3 whole = bounds();
   Box3 clipped;
+  if (whole.isEmpty())
+    return clipped;
   for (const Axis axis : kAxes) {
     for (const T position : {lower[axis], upper[axis]}) {
       Box3 side = whole;

@@ -56,7 +56,7 @@ Box3 Sphere<T>::bounds() const noexcept {
 template <std::floating_point T>
 Box3 Sphere<T>::clippedBounds(const Box3& cell) const noexcept {
   const Box3 whole = bounds();
-  if (intersection(whole, cell).isEmpty())
+  if (whole.isEmpty() || intersection(whole, cell).isEmpty())
     return {};
   const double radiusSquared = static_cast<double>(radius) * static_cast<double>(radius);
   // Squared distances that matter are at most the squared radius each, and three of them with their

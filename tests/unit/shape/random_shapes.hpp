@@ -25,6 +25,16 @@ namespace planetree::test {
   return v == Vec3d{} ? Vec3d{0.0, 0.0, 1.0} : normalized(v);
 }
 
+/// Rounds to T, and often to float: bounds of such coordinates are exact, with no room to spare.
+template <class T>
+[[nodiscard]] T rounded(double x, Random& random) {
+  return static_cast<T>(random.chance(0.7) ? static_cast<double>(static_cast<float>(x)) : x);
+}
+template <class T>
+[[nodiscard]] Vec3<T> rounded(const Vec3d& v, Random& random) {
+  return Vec3<T>(random.chance(0.7) ? Vec3d(Vec3f(v)) : v);
+}
+
 /// A random size of the shape: from a flake to a needle.
 [[nodiscard]] inline double randomStretch(Random& random) {
   return random.chance(0.5) ? random.between(0.5, 2.0) : std::exp2(random.between(-9.0, 9.0));
@@ -36,7 +46,7 @@ struct MakeShape;
 template <class T>
 struct MakeShape<Sphere<T>> {
   static Sphere<T> at(const Vec3d& center, double scale, Random& random) {
-    return {Vec3<T>(center), static_cast<T>(scale * random.between(0.5, 2.0))};
+    return {rounded<T>(center, random), rounded<T>(scale * random.between(0.5, 2.0), random)};
   }
   static Vec3d remarkablePoint(const Sphere<T>& sphere, Random& random) {
     return Vec3d(sphere.center) + randomDirection(random) * static_cast<double>(sphere.radius);
@@ -49,7 +59,7 @@ struct MakeShape<Box<T>> {
     Vec3d half;
     for (const Axis axis : kAxes)
       half[axis] = scale * randomStretch(random);
-    return {Vec3<T>(center - half), Vec3<T>(center + half)};
+    return {rounded<T>(center - half, random), rounded<T>(center + half, random)};
   }
   /// A corner, or a point of an edge or a side.
   static Vec3d remarkablePoint(const Box<T>& box, Random& random) {
@@ -72,7 +82,7 @@ struct MakeShape<Square<T>> {
     Vec3d v = cross(u, random.direction());
     if (random.chance(0.5))
       v = v + u * random.between(-0.5, 0.5);
-    return {Vec3<T>(center), Vec3<T>(u), Vec3<T>(v)};
+    return {rounded<T>(center, random), rounded<T>(u, random), rounded<T>(v, random)};
   }
   static Vec3d remarkablePoint(const Square<T>& square, Random& random) {
     const double u =
@@ -90,9 +100,9 @@ struct MakeShape<Cone<T>> {
     const double bottom = scale * randomStretch(random);
     const double top = random.chance(0.5) ? 0.0 : bottom * random.between(0.0, 2.0);
     const bool isUpsideDown = random.chance(0.3);
-    return {Vec3<T>(center - axis / 2.0), Vec3<T>(axis),
-            static_cast<T>(isUpsideDown ? top : bottom),
-            static_cast<T>(isUpsideDown ? bottom : top), random.chance(0.7)};
+    return {rounded<T>(center - axis / 2.0, random), rounded<T>(axis, random),
+            rounded<T>(isUpsideDown ? top : bottom, random),
+            rounded<T>(isUpsideDown ? bottom : top, random), random.chance(0.7)};
   }
   /// A point of a rim, the apex, or a point of a line from apex to base.
   static Vec3d remarkablePoint(const Cone<T>& cone, Random& random) {
@@ -121,8 +131,9 @@ struct MakeShape<Cylinder<T>> {
 template <class T>
 struct MakeShape<Triangle<T>> {
   static Triangle<T> at(const Vec3d& center, double scale, Random& random) {
-    return {Vec3<T>(center), Vec3<T>(center + randomDirection(random) * scale),
-            Vec3<T>(center + inCube(random, scale))};
+    return {rounded<T>(center, random),
+            rounded<T>(center + randomDirection(random) * scale, random),
+            rounded<T>(center + inCube(random, scale), random)};
   }
   static Vec3d remarkablePoint(const Triangle<T>& triangle, Random& random) {
     const double along =

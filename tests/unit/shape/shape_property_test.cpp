@@ -17,7 +17,7 @@
 namespace planetree::test {
 namespace {
 
-constexpr int kShapeCount = 400;
+constexpr int kShapeCount = 200;
 constexpr int kRaysPerShape = 60;
 
 template <class S>
@@ -272,9 +272,13 @@ TYPED_TEST(TubeShape, WithoutCapsHasTheSideHitsOfTheSolid) {
     shape.capped = false;
     const std::vector<HitOf<TypeParam>> openHits = allHits(shape, ray);
 
-    // Where the line touches the solid, or a rim, rounding decides what it hits.
+    // Where the line touches the solid, or a rim, rounding decides what it hits: in double, and all
+    // the farther from the rim the less side and cap differ in direction.
+    constexpr Real kLeastAngle = 0x1p-18;
+    const Real rounding =
+        kUnitRoundoff<double> * largestDistance(ray.origin, shape.bounds()) / kLeastAngle;
     const auto isNearRim = [&](const HitOf<TypeParam>& hit) {
-      return rimDistance(shape, pointAt(shape, ray, hit.t)) < allowed;
+      return rimDistance(shape, pointAt(shape, ray, hit.t)) < allowed + rounding;
     };
     if (deepestPoint(shape, ray).level > -allowed)
       return;
