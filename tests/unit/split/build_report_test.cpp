@@ -7,11 +7,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,6 +39,38 @@ struct BoxShape {
 BoxShape cubeAt(float position) {
   return {.box = {.lower = {position, position, position},
                   .upper = {position + 1, position + 1, position + 1}}};
+}
+
+/// A shape of which one member throws.
+struct ThrowingShape {
+  using Scalar = float;
+  Box3 box;
+  bool throwsFromBounds = false;
+  bool throwsFromClipping = false;
+
+  [[nodiscard]] Box3 bounds() const {
+    if (throwsFromBounds)
+      throw std::domain_error("no bounds");
+    return box;
+  }
+  [[nodiscard]] Box3 clippedBounds(const Box3& cell) const {
+    if (throwsFromClipping)
+      throw std::domain_error("no clipped bounds");
+    return intersection(box, cell);
+  }
+  [[nodiscard]] std::optional<Hitf> intersect(const Rayf&, float, float) const noexcept {
+    return std::nullopt;
+  }
+};
+
+/// Enough overlapping shapes for several threads.
+std::vector<ThrowingShape> overlappingShapes() {
+  std::vector<ThrowingShape> shapes(20'000);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const float position = static_cast<float>(i) / 16.0f;
+    shapes[i].box = {.lower = {position, 0, 0}, .upper = {position + 1, 1, 1}};
+  }
+  return shapes;
 }
 
 template <class O>
@@ -216,6 +251,21 @@ TEST(BuildReport, ListsEveryObjectThatIsNotSkipped) {
     const auto tree = buildTree(generator.integerSoup<float>(3000, 10, 2), options);
     EXPECT_GT(tree.report().skippedCount, 0u);
     EXPECT_EQ(listedObjects(tree).size() + tree.report().skippedCount, 3000u);
+  }
+}
+
+TEST(BuildTree, PassesOnWhatShapesThrow) {
+  for (const std::uint32_t threadCount : {1u, 4u}) {
+    BuildOptions options;
+    options.threadCount = threadCount;
+    std::vector<ThrowingShape> shapes = overlappingShapes();
+    EXPECT_NO_THROW(static_cast<void>(buildTree(shapes, options)));
+    shapes[12'345].throwsFromBounds = true;
+    EXPECT_THROW(static_cast<void>(buildTree(shapes, options)), std::domain_error);
+    shapes[12'345].throwsFromBounds = false;
+    for (ThrowingShape& shape : shapes)
+      shape.throwsFromClipping = true;
+    EXPECT_THROW(static_cast<void>(buildTree(shapes, options)), std::domain_error);
   }
 }
 

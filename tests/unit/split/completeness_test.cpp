@@ -178,19 +178,17 @@ std::vector<NamedOptions> boxOptions() {
   return {{"textbook", BuildOptions::textbook()}, {"whole boxes", whole}, {"deep boxes", deep}};
 }
 
-/// How far the cell is grown before a face is clipped to it (clip_triangle.cpp).
-double clippingMargin(const Box3& bounds) {
-  double largest = 0.0;
-  for (const Axis axis : kAxes) {
-    largest = std::max({largest, std::fabs(static_cast<double>(bounds.lower[axis])),
-                        std::fabs(static_cast<double>(bounds.upper[axis]))});
-  }
-  return largest * 0x1p-44;
+/// How far a cell is grown before faces are clipped to it, at most (clip_triangle.cpp).
+double clippingMargin(double largestCoordinate) {
+  return largestCoordinate * 0x1p-44;
 }
 
-/// Judges the trees of meshes with small integer coordinates.
+constexpr double kExtent = 64.0;
+
+/// Judges the trees of meshes with integer coordinates within `kExtent` of each other.
 void expectCompleteTrees(const char* name,
-                         const std::function<TriangleMesh<float>(MeshGenerator&)>& makeMesh) {
+                         const std::function<TriangleMesh<float>(MeshGenerator&)>& makeMesh,
+                         double largestCoordinate = kExtent) {
   constexpr int kRounds = 4;
   EntryCounts clipped;
   EntryCounts boxes;
@@ -205,9 +203,8 @@ void expectCompleteTrees(const char* name,
       EXPECT_FALSE(
           validateTree(tree.nodes(), tree.view().references, tree.bounds(), tree.objectCount()));
     };
-    constexpr double kExtent = 64.0;
     for (const NamedOptions& named : clippingOptions())
-      judgeTree(named, clippingMargin({{0, 0, 0}, {kExtent, kExtent, kExtent}}), clipped);
+      judgeTree(named, clippingMargin(largestCoordinate), clipped);
     for (const NamedOptions& named : boxOptions())
       judgeTree(named, kExtent, boxes);
     if (testing::Test::HasFailure())
@@ -262,6 +259,24 @@ TEST(Completeness, HoldsForCoplanarFacesAmidOthers) {
       test::addFace(mesh, soup.view().corners(face));
     return mesh;
   });
+}
+
+// Boxes of clipped faces are rounded to whole eighths here.
+TEST(Completeness, HoldsFarFromTheOrigin) {
+  constexpr float kFar = 0x1p20f;
+  const auto farAway = [](TriangleMesh<float> mesh) {
+    for (Vec3f& position : mesh.positions)
+      position = position + Vec3f{kFar, -kFar, kFar};
+    return mesh;
+  };
+  const double largest = double{kFar} + kExtent;
+  expectCompleteTrees(
+      "far soup",
+      [&](MeshGenerator& generator) { return farAway(generator.integerSoup<float>(100, 63, 16)); },
+      largest);
+  expectCompleteTrees(
+      "far slivers",
+      [&](MeshGenerator& generator) { return farAway(generator.slivers<float>(60, 63)); }, largest);
 }
 
 // Corners in double have more bits than boxes in float hold: they must be rounded outward.

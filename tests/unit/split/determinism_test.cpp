@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -83,6 +84,49 @@ TEST(Determinism, HoldsForOwnedAndViewedMeshes) {
   MeshGenerator generator(kSeed);
   const auto mesh = generator.soupOfAnyCoordinates<float>(3000, 0.05f);
   expectSameTree(buildTree(mesh.view()), buildTree(mesh));
+}
+
+TEST(Determinism, HoldsForOneMeshDividedIntoGeometries) {
+  MeshGenerator generator(kSeed);
+  TriangleMesh<float> whole;
+  Scene<float> scene;
+  for (const int faceCount : {1, 3000, 0, 2000, 1}) {
+    const auto part = generator.soupOfAnyCoordinates<float>(faceCount, 0.1f);
+    for (std::uint32_t face = 0; face < part.faces.size(); ++face)
+      test::addFace(whole, part.view().corners(face));
+    scene.add(part);
+  }
+  const auto wholeTree = buildTree(whole.view());
+  const auto sceneTree = buildTree(scene);
+  expectSameBytes(wholeTree.nodes(), sceneTree.nodes());
+  expectSameBytes(wholeTree.view().references, sceneTree.view().references);
+}
+
+// Powers of two scale all boxes, areas and margins without rounding, and leave costs alone.
+TEST(Determinism, ScalesTheTreeWithTheMesh) {
+  MeshGenerator generator(kSeed);
+  for (const BuildOptions& options : {BuildOptions{}, BuildOptions::textbook()}) {
+    const auto mesh = generator.soupOfAnyCoordinates<float>(1000, 0.2f);
+    const auto tree = buildTree(mesh.view(), options);
+    for (const int exponent : {-60, -1, 20, 60}) {
+      TriangleMesh<float> scaled = mesh;
+      for (Vec3f& position : scaled.positions)
+        position = position * std::ldexp(1.0f, exponent);
+      const auto scaledTree = buildTree(scaled.view(), options);
+      std::vector<Node> nodes;
+      for (const Node& node : tree.nodes()) {
+        nodes.push_back(node);
+        if (!node.isLeaf()) {
+          const SplitNode& split = node.split();
+          nodes.back() =
+              SplitNode(split.axis(), std::ldexp(split.position(), exponent), split.rightOffset());
+        }
+      }
+      SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", 2^" << exponent);
+      expectSameBytes<Node>(nodes, scaledTree.nodes());
+      expectSameBytes(tree.view().references, scaledTree.view().references);
+    }
+  }
 }
 
 /// The planes of a tree from left to right, and how many objects each leaf has.
