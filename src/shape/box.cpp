@@ -1,4 +1,4 @@
-#include "shape/near_ray.hpp"
+#include "shape/centered_ray.hpp"
 #include "shape/outward.hpp"
 
 #include <planetree/geometry/rounding.hpp>

@@ -1,5 +1,5 @@
+#include "shape/centered_ray.hpp"
 #include "shape/cone_side.hpp"
-#include "shape/near_ray.hpp"
 #include "shape/outward.hpp"
 
 #include <planetree/shape/cone.hpp>
@@ -56,6 +56,7 @@ struct Crossing {
   return {Crossing{detail::kInfinity, kSidePart}, Crossing{detail::kInfinity, kSidePart}};
 }
 
+/// Without caps every crossing of the side counts by itself.
 [[nodiscard]] std::array<Crossing, 2> openCrossings(const ConeFrame& frame, const LocalRay& ray,
                                                     const Interval& side) noexcept {
   const auto onSide = [&](double s) {
@@ -95,8 +96,7 @@ template <class T>
     return 1.0;
   Vec3d across = axis;
   across[along] = 0.0;
-  // Six roundings in the quotient under the root, one of the root, one of the product with the
-  // radius: less than eight.
+  // What the quotient, its root, and the caller's product with the radius may lose together.
   constexpr double kRoundingSlack = 1.0 + 8.0 * 0x1p-53;
   return std::fmin(std::sqrt(dot(across, across) / dot(axis, axis)) * kRoundingSlack, 1.0);
 }
@@ -136,10 +136,10 @@ std::optional<Hit<T>> Cone<T>::intersect(const Ray<T>& ray, T tMin, T tMax) cons
     return std::nullopt;
   // The middle of the axis is never computed itself: it would be rounded at the size of `base`.
   const Vec3d fromMiddle = (Vec3d(ray.origin) - Vec3d(base)) - Vec3d(axis) / 2.0;
-  const auto near = detail::nearRay(fromMiddle, Vec3d(ray.direction));
-  if (!near)
+  const auto centered = detail::centeredRay(fromMiddle, Vec3d(ray.direction));
+  if (!centered)
     return std::nullopt;
-  const LocalRay local{frame->toLocal(near->origin), frame->toLocal(near->direction)};
+  const LocalRay local{frame->toLocal(centered->origin), frame->toLocal(centered->direction)};
 
   const Interval slab = slabInterval(*frame, local);
   if (slab.isEmpty())
@@ -150,7 +150,7 @@ std::optional<Hit<T>> Cone<T>::intersect(const Ray<T>& ray, T tMin, T tMax) cons
   const auto crossings =
       capped ? solidCrossings(*frame, local, side, slab) : openCrossings(*frame, local, side);
   for (const Crossing& crossing : crossings) {
-    const T t = near->template rayParameter<T>(crossing.s);
+    const T t = centered->template rayParameter<T>(crossing.s);
     if (detail::isWithin(t, tMin, tMax)) {
       return hitAt(*frame, local.at(crossing.s), t, crossing.part);
     }

@@ -19,7 +19,6 @@ struct Interval {
   double exit = kInfinity;
 
   [[nodiscard]] static Interval empty() noexcept { return {kInfinity, -kInfinity}; }
-  [[nodiscard]] bool contains(double s) const noexcept { return entry <= s && s <= exit; }
   /// True also for NaN.
   [[nodiscard]] bool isEmpty() const noexcept { return !(entry <= exit); }
 };
@@ -114,8 +113,8 @@ template <class Cone>
       frame.cosine * point.z + frame.sine * (axisDistance(point) - frame.meanRadius);
   const double halfLength =
       frame.cosine * frame.halfHeight + frame.sine * (frame.topRadius - frame.bottomRadius) / 2.0;
-  // The other nappe has negative radii. So may the apex by the rounding of z and of the radius, ten
-  // operations on numbers no larger than the cone; a ray through the apex must not be lost.
+  // The other nappe has negative radii. So may the apex, by what the computation of z and of the
+  // radius loses on numbers no larger than the cone; a ray through the apex must not be lost.
   constexpr double kRoundings = 10.0 * 0x1p-53;
   const double slack =
       kRoundings * (frame.cosine * frame.meanRadius + std::fabs(frame.sine) * frame.halfHeight);
@@ -174,14 +173,14 @@ struct SideEquation {
     return Interval::empty();
   // A line steeper than the side always meets the cone: a negative discriminant is rounding.
   const double q = -awayFromZero(b, std::sqrt(std::fmax(discriminant, 0.0)));
-  const double farRoot = q / a;
-  const double nearRoot = q == 0.0 ? 0.0 : c / q;
-  const auto [earlier, later] = std::minmax(farRoot, nearRoot);
+  const double largerRoot = q / a;
+  const double smallerRoot = q == 0.0 ? 0.0 : c / q;
+  const auto [earlier, later] = std::minmax(largerRoot, smallerRoot);
   if (a < 0.0) {
     // It comes from one nappe and goes into the other.
     return widening > 0.0 ? Interval{later, kInfinity} : Interval{-kInfinity, earlier};
   }
-  const bool isOtherNappe = radius + widening * nearRoot < 0.0;
+  const bool isOtherNappe = radius + widening * smallerRoot < 0.0;
   return isOtherNappe ? Interval::empty() : Interval{earlier, later};
 }
 

@@ -1,4 +1,4 @@
-#include "shape/near_ray.hpp"
+#include "shape/centered_ray.hpp"
 #include "shape/outward.hpp"
 
 #include <planetree/shape/sphere.hpp>
@@ -59,8 +59,8 @@ Box3 Sphere<T>::clippedBounds(const Box3& cell) const noexcept {
   if (whole.isEmpty() || intersection(whole, cell).isEmpty())
     return {};
   const double radiusSquared = static_cast<double>(radius) * static_cast<double>(radius);
-  // Squared distances that matter are at most the squared radius each, and three of them with their
-  // sum see fewer than sixteen roundings.
+  // Each squared distance that matters is at most the squared radius: this covers what their sum
+  // and its root lose.
   const double slack = radiusSquared * 16.0 * 0x1p-53;
   const CellDistances distances(cell, Vec3d(center));
   if (lengthSquared(distances.farthest) < radiusSquared - slack)
@@ -83,25 +83,26 @@ std::optional<Hit<T>> Sphere<T>::intersect(const Ray<T>& ray, T tMin, T tMax) co
   const double r = std::fabs(static_cast<double>(radius));
   if (!(r > 0.0) || !std::isfinite(r))
     return std::nullopt;
-  const auto near = detail::nearRay(Vec3d(ray.origin) - Vec3d(center), Vec3d(ray.direction));
-  if (!near)
+  const auto centered =
+      detail::centeredRay(Vec3d(ray.origin) - Vec3d(center), Vec3d(ray.direction));
+  if (!centered)
     return std::nullopt;
 
   // By Pythagoras the crossings lie half a chord before and behind the closest point. Computed from
   // a point that is off by e, they are off the sphere by about e at most, also where the ray only
   // grazes it: there the chord changes much, but along the surface.
-  const double directionSquared = dot(near->direction, near->direction);
-  const double chordSquared = r * r - dot(near->origin, near->origin);
+  const double directionSquared = dot(centered->direction, centered->direction);
+  const double chordSquared = r * r - dot(centered->origin, centered->origin);
   if (!(chordSquared >= 0.0))
     return std::nullopt;
   const double halfChord = std::sqrt(chordSquared / directionSquared);
   // What rounding left between the moved origin and the closest point.
-  const double middle = -dot(near->origin, near->direction) / directionSquared;
+  const double middle = -dot(centered->origin, centered->direction) / directionSquared;
 
   for (const double s : {middle - halfChord, middle + halfChord}) {
-    const T t = near->template rayParameter<T>(s);
+    const T t = centered->template rayParameter<T>(s);
     if (detail::isWithin(t, tMin, tMax))
-      return hitOnUnitSphere(t, normalized(near->at(s)));
+      return hitOnUnitSphere(t, normalized(centered->at(s)));
   }
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-#include "shape/near_ray.hpp"
+#include "shape/centered_ray.hpp"
 #include "shape/outward.hpp"
 
 #include <planetree/mesh/clip_triangle.hpp>
@@ -79,24 +79,24 @@ std::optional<Hit<T>> Square<T>::intersect(const Ray<T>& ray, T tMin, T tMax) co
   const Parallelogram exact(*this);
   if (!exact.hasSurface())
     return std::nullopt;
-  const auto near = detail::nearRay(Vec3d(ray.origin) - exact.center, Vec3d(ray.direction));
-  if (!near)
+  const auto centered = detail::centeredRay(Vec3d(ray.origin) - exact.center, Vec3d(ray.direction));
+  if (!centered)
     return std::nullopt;
 
   // For a ray that grazes the plane s is far less certain than for a steep one. But u and v are
   // those of the point that has this very s, so a point that is reported lies within the edges; its
   // height above the plane is off by the error of s times the sine of the angle, which is small.
-  const double approach = dot(exact.normal, near->direction);
+  const double approach = dot(exact.normal, centered->direction);
   if (approach == 0.0)
     return std::nullopt;
-  const double s = -dot(exact.normal, near->origin) / approach;
-  const Vec3d point = near->at(s);
+  const double s = -dot(exact.normal, centered->origin) / approach;
+  const Vec3d point = centered->at(s);
   const double u = dot(cross(point, exact.edgeV), exact.normal) / exact.areaSquared;
   const double v = dot(cross(exact.edgeU, point), exact.normal) / exact.areaSquared;
   if (!(std::fabs(u) <= 0.5 && std::fabs(v) <= 0.5))
     return std::nullopt;
 
-  const T t = near->template rayParameter<T>(s);
+  const T t = centered->template rayParameter<T>(s);
   if (!detail::isWithin(t, tMin, tMax))
     return std::nullopt;
   Hit<T> hit;

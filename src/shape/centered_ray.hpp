@@ -25,7 +25,7 @@ template <class T>
 /// Tracing Gems, 2019. There the closest approach serves the discriminant of a sphere alone; here
 /// it serves every curved or slanted shape. The direction is scaled by a power of two, so its
 /// length matters to no result.
-struct NearRay {
+struct CenteredRay {
   Vec3d origin;
   Vec3d direction;
   double shift = 0.0;  ///< of the origin, in units of `direction`
@@ -49,18 +49,18 @@ struct NearRay {
 
 /// `origin` is relative to the centre of the shape: the caller subtracts, because only he knows how
 /// to do so without rounding at the size of the coordinates. Nothing for a ray that misses all.
-[[nodiscard]] inline std::optional<NearRay> nearRay(const Vec3d& origin,
-                                                    const Vec3d& direction) noexcept {
+[[nodiscard]] inline std::optional<CenteredRay> centeredRay(const Vec3d& origin,
+                                                            const Vec3d& direction) noexcept {
   const double largest =
       std::fmax(std::fabs(direction.x), std::fmax(std::fabs(direction.y), std::fabs(direction.z)));
   if (!isFinite(origin) || !isFinite(direction) || largest == 0.0)
     return std::nullopt;
-  NearRay near;
-  near.scale = powerOfTwoBelow(largest);
-  near.direction = direction / near.scale;
-  near.shift = -dot(origin, near.direction) / dot(near.direction, near.direction);
-  near.origin = origin + near.direction * near.shift;
-  return near;
+  CenteredRay centered;
+  centered.scale = powerOfTwoBelow(largest);
+  centered.direction = direction / centered.scale;
+  centered.shift = -dot(origin, centered.direction) / dot(centered.direction, centered.direction);
+  centered.origin = origin + centered.direction * centered.shift;
+  return centered;
 }
 
 /// The angle of (x, y) from +x through +y, as a fraction in [0, 1] of the full turn.
