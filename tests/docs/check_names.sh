@@ -28,7 +28,8 @@ check_scripts_and_presets() {
   done < <(grep -hoE '(scripts/[a-z_]+\.sh|\.ci/run)' README.md docs/*.md | sort -u)
   while read -r name; do
     grep -q "\"name\": \"$name\"" CMakePresets.json || fail "there is no preset '$name'"
-  done < <(grep -hoP -- '--preset \K[a-z-]+|build/\K[a-z-]+(?=/| |$|`)' README.md docs/*.md | sort -u)
+  done < <(grep -hoP -- '--(preset |(build|test-dir|install) build/)\K[a-z-]+' README.md docs/*.md |
+             sort -u)
 }
 
 # Each option stands in docs/building.md, in the words of CMakeLists.txt.
