@@ -123,10 +123,11 @@ std::optional<Camera> frameCamera(std::span<const Vec3f> points, const Framing& 
   const double eyeY = (support.top - support.bottom) / 2.0;
   const double atDepth = (support.nearest + support.farthest) / 2.0;
 
-  // A single point would put the eye into it. One thousandth of the coordinates is far enough for
-  // the eye to stay a different point after rounding to float.
+  // A single point would put the eye into it. A few units in the last place of the coordinates keep
+  // the eye another point after rounding to float, and no model that is larger too far away.
   const double reach = std::max({std::fabs(atDepth), std::fabs(eyeX), std::fabs(eyeY), 1e-30});
-  eyeDepth = std::min(eyeDepth, atDepth - 1e-3 * reach);
+  constexpr double kApart = 16.0 * std::numeric_limits<float>::epsilon();
+  eyeDepth = std::min(eyeDepth, atDepth - kApart * reach);
 
   const Vec3d side = axes.right * eyeX + axes.up * eyeY;
   return Camera{.eye = Vec3f(side + axes.forward * eyeDepth),

@@ -70,6 +70,10 @@ TEST(FrameCamera, ShowsFlatThinTinyAndHugeModels) {
   }
 }
 
+TEST(FrameCamera, ShowsModelsFarFromTheOrigin) {
+  expectTightFrame(randomPoints({10.0, 10.0, 10.0}, {1e5, -1e5, 2e5}, 7), {});
+}
+
 TEST(FrameCamera, StraysDoNotMoveTheCamera) {
   std::vector<Vec3f> points = randomPoints({1.0, 1.0, 1.0}, {}, 3);
   const auto clean = frameCamera(points, {});
