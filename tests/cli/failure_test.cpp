@@ -50,9 +50,9 @@ TEST_F(Failure, ModelsWithoutTrianglesSaySo) {
   EXPECT_EQ(filesInFolder(), std::vector<std::string>{"points.obj"});
 }
 
-TEST_F(Failure, ModelsOfWhichNothingCanBeShownSayWhy) {
+TEST_F(Failure, ModelsOfWhichNothingCanBeHitSayWhy) {
   writeFile("flat.obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 2\n");
-  expectFailure(runSmall({"flat.obj"}), "none of its 2 triangles can be shown");
+  expectFailure(runSmall({"flat.obj"}), "has 2 triangles, none of which can be hit");
 }
 
 TEST_F(Failure, SkippedTrianglesAreCountedAndTheFirstOnesNamed) {

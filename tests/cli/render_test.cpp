@@ -34,7 +34,7 @@ TEST_F(Render, SaysWhatItDidOnStandardError) {
   const ToolResult result = runSmall({"roof.obj"});
   EXPECT_EQ(result.out, "");
   for (const char* said :
-       {"roof.obj: 2 triangles", "OBJ", "tree of 2 triangles", "built in", "split nodes", "leaves",
+       {"roof.obj: 2 triangles", "OBJ", "tree of 2 triangles", "built in", "split nodes", "leaf",
         "empty", "depth", "references per object", "SAH cost", "bytes", "--camera", "rays in",
         "million rays per second", "wrote roof.png (24 x 16"}) {
     EXPECT_NE(result.err.find(said), std::string::npos) << said << "\n" << result.err;
@@ -132,9 +132,9 @@ TEST_F(Render, TheTreeDoesNotChangeThePicture) {
 }
 
 TEST_F(Render, BuildOptionsReachTheTree) {
-  EXPECT_NE(runSmall({"--depth-limit", "1"}).err.find("  0 split nodes, 1 leaves"),
+  EXPECT_NE(runSmall({"--depth-limit", "1"}).err.find("  0 split nodes, 1 leaf "),
             std::string::npos);
-  EXPECT_NE(runSmall({"--leaf-size", "4294967295"}).err.find("  0 split nodes, 1 leaves"),
+  EXPECT_NE(runSmall({"--leaf-size", "4294967295"}).err.find("  0 split nodes, 1 leaf "),
             std::string::npos);
   EXPECT_NE(runSmall({"--depth-limit", "3"}).err.find("depth 3\n"), std::string::npos);
 }

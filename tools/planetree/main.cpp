@@ -12,6 +12,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -33,8 +34,8 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "planetree " PLANETREE_VERSION, "Print the version and exit");
   app.footer(kExamples);
   app.require_subcommand(1);
-  RenderCommand command;
-  const CLI::App* const render = addRenderCommand(app, command);
+  RenderCommand renderCommand;
+  addRenderCommand(app, renderCommand);
 
   try {
     app.parse(argc, argv);
@@ -42,16 +43,16 @@ int run(int argc, char** argv) {
     // --help or --version: what was asked for goes to standard output.
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    const bool isInRender = render->parsed();
-    const bool namesNoCommand = !isInRender && argc > 1 && argv[1][0] != '-';
+    const std::vector<CLI::App*> begun = app.get_subcommands();
+    const bool namesNoCommand = begun.empty() && argc > 1 && argv[1][0] != '-';
     if (namesNoCommand) {
       throw UsageError(fmt::format("{}: there is no such command", argv[1]),
                        "See planetree --help.");
     }
-    throw UsageError(error.what(),
-                     fmt::format("See planetree {}--help.", isInRender ? "render " : ""));
+    const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
+    throw UsageError(error.what(), fmt::format("See planetree {}--help.", command));
   }
-  return runRenderCommand(command);
+  return runRenderCommand(renderCommand);
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     return say(kWrongUsage, error.what());
   } catch (const std::bad_alloc&) {
-    return say(kFailed, "out of memory. Try a smaller --size, or a model with fewer triangles.");
+    return say(kFailed, "out of memory. Try a model with fewer triangles, or a smaller picture.");
   } catch (const std::exception& error) {
     return say(kFailed, error.what());
   }

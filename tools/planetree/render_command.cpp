@@ -10,19 +10,13 @@
 
 #include "render/image.hpp"
 
-#include <planetree/node/node_layout.hpp>
-
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cctype>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace planetree::tool {
@@ -32,7 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMaxSamplesPerPixel = 65536;
-constexpr std::uint64_t kMaxThreadCount = 1024;
 
 constexpr const char* kExamples = R"(Examples:
   planetree render
@@ -50,37 +43,6 @@ constexpr const char* kExamples = R"(Examples:
 
 Exit status: 0 done, 1 failed, 2 wrong usage.
 )";
-
-/// Adds an option whose text `parse` turns into the value.
-template <class Value, class Parse>
-CLI::Option* addValue(CLI::App& app, const std::string& names, Value& value, const Parse& parse,
-                      const std::string& description) {
-  const std::string shownName = names.substr(names.rfind(',') + 1);
-  return app.add_option_function<std::string>(
-      names,
-      [&value, parse, shownName](const std::string& text) {
-        value = parse(OptionText{shownName, text});
-      },
-      description);
-}
-
-/// Adds an option that is a whole number.
-template <class Value>
-CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Value& value,
-                            std::uint64_t lowest, std::uint64_t highest,
-                            const std::string& description) {
-  const auto parse = [lowest, highest](const OptionText& option) {
-    return static_cast<std::uint32_t>(parseWholeNumber(option, lowest, highest));
-  };
-  return addValue(app, name, value, parse, description)->type_name("N");
-}
-
-fs::path parsePath(const OptionText& option) {
-  if (option.text.empty()) {
-    throw UsageError(fmt::format("{}: the path is empty", option.name), "Give the name of a file.");
-  }
-  return fs::path(option.text);
-}
 
 fs::path outputPath(const RenderCommand& command) {
   if (command.output)
@@ -124,16 +86,6 @@ void checkOptionsAgree(const RenderCommand& command) {
   }
 }
 
-BuildOptions buildOptions(const RenderCommand& command) {
-  BuildOptions options = command.preset;
-  options.threadCount = command.threadCount;
-  if (command.leafSize)
-    options.leafSize = *command.leafSize;
-  if (command.depthLimit)
-    options.depthLimit = command.depthLimit;
-  return options;
-}
-
 render::Framing framing(const RenderCommand& command) {
   render::Framing framing{.up = command.up};
   framing.aspect = static_cast<double>(command.size.width) / command.size.height;
@@ -168,7 +120,7 @@ int renderSubject(const RenderCommand& command, const Subject& subject, const Ta
                                   .mode = command.mode,
                                   .samplesPerPixel = command.samplesPerPixel,
                                   .seed = command.seed,
-                                  .threadCount = command.threadCount,
+                                  .threadCount = command.run.threadCount,
                                   .albedos = subject.albedos};
   talk.say(fmt::format("view: --camera {}{}", cameraText(settings.camera),
                        command.up == render::UpAxis::Z ? " --up z" : ""));
@@ -247,32 +199,6 @@ void addViewOptions(CLI::App& app, RenderCommand& command) {
       ->group(view);
 }
 
-void addTreeOptions(CLI::App& app, RenderCommand& command) {
-  const std::string tree = "Tree";
-  addValue(app, "--preset", command.preset, parsePreset,
-           "Build rules: default, or textbook for the rules as taught")
-      ->type_name("default|textbook")
-      ->default_str("default")
-      ->group(tree);
-  addWholeNumber(app, "--leaf-size", command.leafSize, 0, std::numeric_limits<std::uint32_t>::max(),
-                 "Make leaves of this many objects or fewer; otherwise as\n"
-                 "the preset says")
-      ->group(tree);
-  addWholeNumber(app, "--depth-limit", command.depthLimit, 1, kMaxTreeDepth,
-                 "Most levels of the tree; otherwise as the preset says")
-      ->group(tree);
-}
-
-void addRunOptions(CLI::App& app, RenderCommand& command) {
-  const std::string run = "Run";
-  addWholeNumber(app, "--threads", command.threadCount, 0, kMaxThreadCount,
-                 "Threads to use; 0 is as many as the machine has. The\n"
-                 "picture is the same for any number")
-      ->default_str(fmt::format("{}", command.threadCount))
-      ->group(run);
-  app.add_flag("-q,--quiet", command.isQuiet, "Say nothing but errors")->group(run);
-}
-
 }  // namespace
 
 CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
@@ -280,18 +206,19 @@ CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
   render.footer(kExamples);
   addPictureOptions(render, command);
   addViewOptions(render, command);
-  addTreeOptions(render, command);
-  addRunOptions(render, command);
+  addTreeOptions(render, command.tree);
+  addRunOptions(render, command.run);
   return &render;
 }
 
 int runRenderCommand(const RenderCommand& command) {
   checkOptionsAgree(command);
   checkIsWritable(outputPath(command));
-  const Talk talk(command.isQuiet);
-  const BuildOptions build = buildOptions(command);
-  const Subject subject = command.model ? readModel(*command.model, build, framing(command), talk)
-                                        : makeStillLifeSubject(build, framing(command), talk);
+  const Talk talk(command.run.isQuiet);
+  const BuildOptions build = buildOptions(command.tree, command.run);
+  const Subject subject = command.model
+                              ? readModelSubject(*command.model, build, framing(command), talk)
+                              : makeStillLifeSubject(build, framing(command), talk);
   return renderSubject(command, subject, talk);
 }
 

@@ -1,19 +1,14 @@
 #pragma once
 
+#include "command_options.hpp"
 #include "option_values.hpp"
 
 #include "render/framing.hpp"
 #include "render/render_image.hpp"
 
-#include <planetree/split/build_options.hpp>
-
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-
-namespace CLI {
-class App;
-}
 
 namespace planetree::tool {
 
@@ -28,11 +23,8 @@ struct RenderCommand {
   std::optional<CameraOption> camera;
   std::optional<float> fovDegrees;
   render::UpAxis up = render::UpAxis::Y;
-  std::uint32_t threadCount = 0;
-  BuildOptions preset;
-  std::optional<std::uint32_t> leafSize;
-  std::optional<std::uint32_t> depthLimit;
-  bool isQuiet = false;
+  TreeOptions tree;
+  RunOptions run;
 };
 
 /// Adds the subcommand to the program's command line; parsing fills `command`, which must outlive

@@ -24,8 +24,9 @@ struct Subject {
 };
 
 /// A model from a file, in a tree. Throws `Error` if it cannot be read or has nothing to show.
-[[nodiscard]] Subject readModel(const std::filesystem::path& path, const BuildOptions& options,
-                                const render::Framing& framing, const Talk& talk);
+[[nodiscard]] Subject readModelSubject(const std::filesystem::path& path,
+                                       const BuildOptions& options, const render::Framing& framing,
+                                       const Talk& talk);
 
 /// The scene made in code, in a tree.
 [[nodiscard]] Subject makeStillLifeSubject(const BuildOptions& options,

@@ -51,6 +51,13 @@ std::string grouped(std::uint64_t number) {
   return digits;
 }
 
+std::string counted(std::uint64_t number, std::string_view word, std::string_view plural) {
+  if (number == 1)
+    return fmt::format("1 {}", word);
+  return plural.empty() ? fmt::format("{} {}s", grouped(number), word)
+                        : fmt::format("{} {}", grouped(number), plural);
+}
+
 std::string byteText(std::uint64_t bytes) {
   constexpr std::array kUnits = {"kB", "MB", "GB", "TB"};
   if (bytes < 1000)
@@ -76,11 +83,11 @@ std::string_view reasonText(SkipReason reason) noexcept {
   return "cannot be hit";
 }
 
-void sayMesh(const Talk& talk, const std::string& name, const TriangleMesh<float>& mesh,
+void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
              const MeshReadReport& report, double seconds) {
-  talk.say(fmt::format("{}: {} triangles, {} vertices ({}, read in {:.2f} s)", name,
-                       grouped(mesh.faces.size()), grouped(mesh.positions.size()),
-                       formatName(report.format), seconds));
+  talk.say(fmt::format(
+      "{}: {}, {} ({}, read in {:.2f} s)", name, counted(size.faceCount, "triangle"),
+      counted(size.vertexCount, "vertex", "vertices"), formatName(report.format), seconds));
   if (report.skippedPolygonCount == 0)
     return;
   std::vector<std::string> first;
@@ -104,14 +111,15 @@ void saySkipped(const Talk& talk, const BuildReport& report,
 }
 
 void sayTree(const Talk& talk, const BuildReport& report, const TreeStatistics& statistics,
-             std::string_view objects) {
+             std::string_view object) {
   const std::uint64_t objectCount = report.objectCount - report.skippedCount;
   const double references = static_cast<double>(statistics.referenceCount) /
                             static_cast<double>(std::max<std::uint64_t>(objectCount, 1));
-  talk.say(fmt::format("tree of {} {}, built in {:.2f} s", grouped(objectCount), objects,
+  talk.say(fmt::format("tree of {}, built in {:.2f} s", counted(objectCount, object),
                        report.totalSeconds));
-  talk.say(fmt::format("  {} split nodes, {} leaves ({} empty), depth {}",
-                       grouped(statistics.splitNodeCount), grouped(statistics.leafNodeCount),
+  talk.say(fmt::format("  {}, {} ({} empty), depth {}",
+                       counted(statistics.splitNodeCount, "split node"),
+                       counted(statistics.leafNodeCount, "leaf", "leaves"),
                        grouped(statistics.emptyLeafCount), statistics.depth));
   talk.say(fmt::format("  {:.2f} references per object, largest leaf {}, SAH cost {:.1f}, {}",
                        references, grouped(statistics.largestLeaf), statistics.sahCost,

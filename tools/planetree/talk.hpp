@@ -3,7 +3,6 @@
 #include "render/render_image.hpp"
 
 #include <planetree/mesh/read_mesh.hpp>
-#include <planetree/mesh/triangle_mesh.hpp>
 #include <planetree/node/tree_statistics.hpp>
 #include <planetree/split/build_report.hpp>
 
@@ -37,12 +36,20 @@ class Talk {
 
 /// "69666" as "69,666".
 [[nodiscard]] std::string grouped(std::uint64_t number);
+/// "69,666 triangles", "1 triangle"; the plural is given where it is not the word with an s.
+[[nodiscard]] std::string counted(std::uint64_t number, std::string_view word,
+                                  std::string_view plural = {});
 /// "1.4 MB".
 [[nodiscard]] std::string byteText(std::uint64_t bytes);
 /// What is wrong with a skipped object, to be read after its name.
 [[nodiscard]] std::string_view reasonText(SkipReason reason) noexcept;
 
-void sayMesh(const Talk& talk, const std::string& name, const TriangleMesh<float>& mesh,
+struct MeshSize {
+  std::uint64_t faceCount = 0;
+  std::uint64_t vertexCount = 0;
+};
+
+void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
              const MeshReadReport& report, double seconds);
 
 /// The skipped faces of a mesh. `sourceFaces` is that of the mesh: faces are named by their number
@@ -51,7 +58,7 @@ void saySkipped(const Talk& talk, const BuildReport& report,
                 std::span<const std::uint32_t> sourceFaces);
 
 void sayTree(const Talk& talk, const BuildReport& report, const TreeStatistics& statistics,
-             std::string_view objects);
+             std::string_view object);
 
 void sayRendering(const Talk& talk, render::RenderMode mode, const render::Rendering& rendering);
 

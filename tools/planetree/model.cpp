@@ -1,0 +1,64 @@
+#include "model.hpp"
+
+#include <planetree/error.hpp>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace planetree::tool {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+template <std::floating_point T>
+Model<T> readModel(const std::filesystem::path& path, const Talk& talk) {
+  const Clock::time_point start = Clock::now();
+  Model<T> model{.name = path.string(), .mesh = {}, .report = {}};
+  model.mesh = readMesh<T>(path, &model.report);
+  const MeshSize size{.faceCount = model.mesh.faces.size(),
+                      .vertexCount = model.mesh.positions.size()};
+  sayMesh(talk, path.filename().string(), size, model.report, secondsSince(start));
+  if (model.mesh.faces.empty()) {
+    throw Error(ErrorCode::InvalidGeometry, "has no triangles",
+                "Rays do not hit point clouds and curves: export the model with its faces.",
+                {.file = model.name});
+  }
+  return model;
+}
+
+template <std::floating_point T>
+KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options, const Talk& talk) {
+  const std::vector<std::uint32_t> sourceFaces = model.mesh.sourceFaces;
+  auto tree = buildTree(std::move(model.mesh), options);
+  const BuildReport& report = tree.report();
+  saySkipped(talk, report, sourceFaces);
+  if (report.skippedCount == report.objectCount) {
+    throw Error(
+        ErrorCode::InvalidGeometry,
+        fmt::format("has {}, none of which can be hit", counted(report.objectCount, "triangle")),
+        fmt::format("The first one {}: check how the model was exported.",
+                    reasonText(report.skipped.front().reason)),
+        {.file = model.name});
+  }
+  sayTree(talk, report, tree.statistics(), "triangle");
+  return tree;
+}
+
+template Model<float> readModel<float>(const std::filesystem::path&, const Talk&);
+template Model<double> readModel<double>(const std::filesystem::path&, const Talk&);
+template KdTree<Face<float>> buildModelTree<float>(Model<float>, const BuildOptions&, const Talk&);
+template KdTree<Face<double>> buildModelTree<double>(Model<double>, const BuildOptions&,
+                                                     const Talk&);
+
+}  // namespace planetree::tool
