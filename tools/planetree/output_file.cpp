@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <climits>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -39,44 +42,17 @@ std::string adviceFor(int errorNumber) {
               adviceFor(errorNumber), {.file = path.string()});
 }
 
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number) noexcept : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0)
-      ::close(number_);
-  }
-
-  [[nodiscard]] int number() const noexcept { return number_; }
-
-  /// Whether closing succeeded: some file systems report a full disk only then.
-  [[nodiscard]] bool close() noexcept { return ::close(std::exchange(number_, -1)) == 0; }
-
- private:
-  int number_;
-};
-
 /// Opens a file; an error names `named`, the file that the user asked for.
-Descriptor openForWriting(const fs::path& path, int flags, const fs::path& named) {
+FileDescriptor openForWriting(const fs::path& path, int flags, const fs::path& named) {
   constexpr mode_t kEveryoneButUmask = 0666;
   const int number = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, kEveryoneButUmask);
   if (number < 0)
     fail(named, errno);
-  return Descriptor(number);
+  return FileDescriptor(number);
 }
 
-void writeAll(const Descriptor& file, std::span<const std::byte> bytes, const fs::path& named) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR)
-      continue;
-    if (count < 0)
-      fail(named, errno);
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
+fs::path shownName(const fs::path& path) {
+  return path == kStandardOutput ? fs::path("standard output") : path;
 }
 
 fs::path folderOf(const fs::path& path) {
@@ -92,31 +68,6 @@ fs::path unusedPathBeside(const fs::path& target) {
       return path;
   }
 }
-
-/// A new file beside `target`, removed again unless it is renamed to it.
-class TemporaryFile {
- public:
-  TemporaryFile(const fs::path& target, const fs::path& named)
-      : path_(unusedPathBeside(target)), file_(openForWriting(path_, O_CREAT | O_EXCL, named)) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    if (!path_.empty())
-      fs::remove(path_, ignored);
-  }
-
-  [[nodiscard]] Descriptor& file() noexcept { return file_; }
-
-  void renameTo(const fs::path& target) {
-    fs::rename(path_, target);
-    path_.clear();
-  }
-
- private:
-  fs::path path_;
-  Descriptor file_;
-};
 
 /// A device or a pipe: something that a rename would destroy.
 bool isSpecialFile(const fs::path& path) {
@@ -134,34 +85,12 @@ fs::path replacedPath(fs::path path) {
   return path;
 }
 
-void writeDirectly(const fs::path& path, std::span<const std::byte> bytes) {
-  Descriptor file = openForWriting(path, 0, path);
-  writeAll(file, bytes, path);
-  if (!file.close())
-    fail(path, errno);
-}
-
-void writeStandardOutput(std::span<const std::byte> bytes) {
-  const fs::path named = "standard output";
-  Descriptor file(::dup(STDOUT_FILENO));
-  if (file.number() < 0)
-    fail(named, errno);
-  writeAll(file, bytes, named);
-  if (!file.close())
-    fail(named, errno);
-}
-
-bool writeBesideAndRename(const fs::path& path, std::span<const std::byte> bytes,
-                          const std::function<bool()>& isWanted) {
-  const fs::path target = replacedPath(path);
-  TemporaryFile temporary(target, path);
-  writeAll(temporary.file(), bytes, path);
-  if (!temporary.file().close())
-    fail(path, errno);
-  if (!isWanted())
-    return false;
-  temporary.renameTo(target);
-  return true;
+/// Where the next byte goes, or a negative number if one cannot go back there: in a pipe, or where
+/// the system appends whatever is written.
+off_t startOf(const FileDescriptor& file) noexcept {
+  const int flags = ::fcntl(file.number(), F_GETFL);
+  const bool isAppending = flags >= 0 && (flags & O_APPEND) != 0;
+  return isAppending ? -1 : ::lseek(file.number(), 0, SEEK_CUR);
 }
 
 void checkPath(const fs::path& path) {
@@ -181,6 +110,13 @@ void checkPath(const fs::path& path) {
 
 }  // namespace
 
+std::string lowerCaseExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
 void checkIsWritable(const fs::path& path) try {
   if (path != kStandardOutput)
     checkPath(path);
@@ -189,20 +125,104 @@ void checkIsWritable(const fs::path& path) try {
 }
 
 bool writeFile(const fs::path& path, std::span<const std::byte> bytes,
-               const std::function<bool()>& isWanted) try {
-  const bool isStandardOutput = path == kStandardOutput;
-  if (!isStandardOutput && !isSpecialFile(path))
-    return writeBesideAndRename(path, bytes, isWanted);
+               const std::function<bool()>& isWanted) {
   if (!isWanted())
     return false;
-  if (isStandardOutput) {
-    writeStandardOutput(bytes);
-  } else {
-    writeDirectly(path, bytes);
+  OutputFile file(path, isWanted);
+  return file.write(bytes) && file.complete();
+}
+
+/// How a file is written: under a temporary name, or directly.
+struct OutputFile::Place {
+  fs::path temporary;
+  fs::path target;
+  FileDescriptor file;
+
+  static Place standardOutput() {
+    FileDescriptor file(::dup(STDOUT_FILENO));
+    if (file.number() < 0)
+      fail(shownName(kStandardOutput), errno);
+    return {.temporary = {}, .target = {}, .file = std::move(file)};
+  }
+
+  static Place of(const fs::path& path) try {
+    if (path == kStandardOutput)
+      return standardOutput();
+    if (isSpecialFile(path))
+      return {.temporary = {}, .target = path, .file = openForWriting(path, 0, path)};
+    const fs::path target = replacedPath(path);
+    const fs::path temporary = unusedPathBeside(target);
+    return {.temporary = temporary,
+            .target = target,
+            .file = openForWriting(temporary, O_CREAT | O_EXCL, path)};
+  } catch (const fs::filesystem_error& error) {
+    fail(path, error.code().value());
+  }
+};
+
+OutputFile::OutputFile(fs::path path, std::function<bool()> isWanted)
+    : OutputFile(path, std::move(isWanted), Place::of(path)) {}
+
+OutputFile::OutputFile(fs::path path, std::function<bool()> isWanted, Place place)
+    : path_(shownName(path)),
+      isWanted_(std::move(isWanted)),
+      temporary_(std::move(place.temporary)),
+      target_(std::move(place.target)),
+      file_(std::move(place.file)),
+      start_(startOf(file_)) {}
+
+OutputFile::~OutputFile() {
+  std::error_code ignored;
+  if (!temporary_.empty())
+    fs::remove(temporary_, ignored);
+}
+
+bool OutputFile::write(std::span<const std::byte> bytes) {
+  const bool mayBlock = !file_.isRegularFile();
+  while (!bytes.empty()) {
+    if (mayBlock && !file_.waitToWrite(isWanted_))
+      return false;
+    // A pipe that is ready takes this much at once, without making its writer wait.
+    const std::size_t most = mayBlock ? std::size_t{PIPE_BUF} : bytes.size();
+    const ssize_t count = ::write(file_.number(), bytes.data(), std::min(bytes.size(), most));
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      fail(path_, errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
   }
   return true;
+}
+
+bool OutputFile::canOverwriteStart() const noexcept {
+  return start_ >= 0;
+}
+
+void OutputFile::overwriteStart(std::span<const std::byte> bytes) {
+  off_t offset = start_;
+  while (!bytes.empty()) {
+    const ssize_t count = ::pwrite(file_.number(), bytes.data(), bytes.size(), offset);
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      fail(path_, errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    offset += count;
+  }
+}
+
+bool OutputFile::complete() try {
+  if (!file_.close())
+    fail(path_, errno);
+  if (temporary_.empty())
+    return true;
+  if (!isWanted_())
+    return false;
+  fs::rename(temporary_, target_);
+  temporary_.clear();
+  return true;
 } catch (const fs::filesystem_error& error) {
-  fail(path, error.code().value());
+  fail(path_, error.code().value());
 }
 
 }  // namespace planetree::tool

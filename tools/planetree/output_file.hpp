@@ -1,9 +1,15 @@
 #pragma once
 
+#include "file_descriptor.hpp"
+
+#include <sys/types.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
+#include <string>
 
 /// Writing results to a file or to standard output.
 ///
@@ -15,6 +21,9 @@ namespace planetree::tool {
 /// The name that stands for standard output.
 inline constexpr const char* kStandardOutput = "-";
 
+/// What follows the last dot of a file name, with the dot, in lower case.
+[[nodiscard]] std::string lowerCaseExtension(const std::filesystem::path& path);
+
 /// Throws `Error` with `FileNotWritable` if the file certainly cannot be written later. To be asked
 /// before long work; it changes nothing.
 void checkIsWritable(const std::filesystem::path& path);
@@ -24,5 +33,39 @@ void checkIsWritable(const std::filesystem::path& path);
 /// `FileNotWritable`.
 bool writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes,
                const std::function<bool()>& isWanted);
+
+/// A result that is written piece by piece. Unless it is completed, nothing is left of a regular
+/// file. Every function throws `Error` with `FileNotWritable`.
+class OutputFile {
+ public:
+  /// `isWanted` is asked from time to time while a pipe keeps its writer waiting, and once more
+  /// just before the file appears under its name.
+  OutputFile(std::filesystem::path path, std::function<bool()> isWanted);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
+
+  /// Appends the bytes; false if they are no longer wanted.
+  [[nodiscard]] bool write(std::span<const std::byte> bytes);
+
+  /// Whether `overwriteStart` is possible: not in a pipe, nor where everything is appended.
+  [[nodiscard]] bool canOverwriteStart() const noexcept;
+  /// Replaces the first bytes that were written.
+  void overwriteStart(std::span<const std::byte> bytes);
+
+  /// Makes the file appear; false if it is no longer wanted.
+  [[nodiscard]] bool complete();
+
+ private:
+  struct Place;
+  OutputFile(std::filesystem::path path, std::function<bool()> isWanted, Place place);
+
+  std::filesystem::path path_;
+  std::function<bool()> isWanted_;
+  std::filesystem::path temporary_;  ///< empty where the file is written directly
+  std::filesystem::path target_;     ///< what the temporary file is renamed to
+  FileDescriptor file_;
+  off_t start_ = 0;  ///< where the first byte stands; negative if nobody can go there again
+};
 
 }  // namespace planetree::tool

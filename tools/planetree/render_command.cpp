@@ -13,8 +13,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <limits>
 #include <string>
 #include <vector>
@@ -61,9 +59,7 @@ void checkOutputName(const RenderCommand& command) {
     throw UsageError("-o -: standard output is a terminal",
                      "Send the picture to a file or a program: planetree render -o - > out.png.");
   }
-  std::string extension = command.output->extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lowerCaseExtension(*command.output);
   if (!extension.empty() && extension != ".png") {
     throw UsageError(fmt::format("-o {}: pictures are PNG files", command.output->string()),
                      "Give a name that ends in .png.");
