@@ -1,5 +1,6 @@
 // A program that uses each library of planetree, its shapes by virtual calls, and its errors. The
-// umbrella header is in both of the program's translation units: nothing in it may be defined twice.
+// umbrella header is in both of the program's translation units: nothing in it may be defined
+// twice.
 #include "shadows.hpp"
 
 #include <planetree/mesh/read_mesh.hpp>
@@ -14,8 +15,7 @@ namespace {
 constexpr std::string_view kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 bool hitsTheFaceThatWasRead() {
-  const auto mesh =
-      planetree::readMesh<float>(std::as_bytes(std::span(kTriangle)), "triangle.obj");
+  const auto mesh = planetree::readMesh<float>(std::as_bytes(std::span(kTriangle)), "triangle.obj");
   const auto hit = planetree::buildTree(mesh.view())
                        .findIntersection({.origin = {0.25f, 0.25f, 2}, .direction = {0, 0, -1}});
   return hit && hit->primitive == 0 && hit->t == 2;
