@@ -224,7 +224,7 @@ TYPED_TEST(SolidShape, IsHitTwiceByLinesThroughItAndElseNever) {
     }
   });
   EXPECT_GT(throughCount, kShapeCount * kRaysPerShape / 3);
-  EXPECT_GT(besideCount, kShapeCount * kRaysPerShape / 20);
+  EXPECT_GT(besideCount, kShapeCount * kRaysPerShape / 40);
 }
 
 TYPED_TEST(SolidShape, LetsNoRayOutFromInside) {
@@ -239,7 +239,7 @@ TYPED_TEST(SolidShape, LetsNoRayOutFromInside) {
     EXPECT_EQ(allHits(solid, ray, T(0)).size(), 1u);
     EXPECT_EQ(allHits(solid, ray).size(), 2u);
   });
-  EXPECT_GT(insideCount, kShapeCount * kRaysPerShape / 20);
+  EXPECT_GT(insideCount, kShapeCount * kRaysPerShape / 40);
 }
 
 TYPED_TEST(SolidShape, NormalsPointOutward) {
