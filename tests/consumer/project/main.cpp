@@ -1,6 +1,5 @@
 // A program that uses each library of planetree, its shapes by virtual calls, and its errors. The
-// umbrella header is in both of the program's translation units: nothing in it may be defined
-// twice.
+// umbrella header is in both translation units of the program: nothing in it may be defined twice.
 #include "shadows.hpp"
 
 #include <planetree/mesh/read_mesh.hpp>
