@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,21 +24,22 @@ template <class T>
 std::vector<Reference> textbookObjects(const TriangleMesh<T>& mesh) {
   std::vector<Reference> objects;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    const auto [a, b, c] = mesh.view().corners(face);
-    if (a == b || b == c || c == a)
+    const std::array<Vec3<T>, 3> corners = mesh.view().corners(face);
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
       continue;
     Reference object;
     object.object = face;
-    for (const Vec3<T>& corner : {a, b, c})
+    for (const Vec3<T>& corner : corners)
       object.bounds.extend(corner);
-    // Indices in the order of the cross product: component i is made of the two axes behind it.
+    // Component i of the cross product is made of the two axes behind it in this cycle.
     constexpr std::array<Axis, 5> kCycle = {Axis::X, Axis::Y, Axis::Z, Axis::X, Axis::Y};
+    const auto edge = [&](std::size_t to, Axis axis) {
+      return static_cast<long double>(corners[to][axis]) -
+             static_cast<long double>(corners[0][axis]);
+    };
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto edge = [&](const Vec3<T>& to, Axis axis) {
-        return static_cast<long double>(to[axis]) - static_cast<long double>(a[axis]);
-      };
-      const long double normal = edge(b, kCycle[i + 1]) * edge(c, kCycle[i + 2]) -
-                                 edge(b, kCycle[i + 2]) * edge(c, kCycle[i + 1]);
+      const long double normal = edge(1, kCycle[i + 1]) * edge(2, kCycle[i + 2]) -
+                                 edge(1, kCycle[i + 2]) * edge(2, kCycle[i + 1]);
       if (normal < 0.0L)
         object.leftSides |= 1u << i;
     }
