@@ -1,7 +1,9 @@
-#include <planetree/mesh/clip_triangle.hpp>
 #include <planetree/mesh/face.hpp>
-#include <planetree/mesh/triangle_intersection.hpp>
+
+#include <planetree/mesh/clip_triangle.hpp>
 #include <planetree/mesh/triangle_mesh.hpp>
+
+#include "mesh/triangle_hit.hpp"
 
 #include <array>
 
@@ -36,23 +38,13 @@ Box3 Face<T>::clippedBounds(const Box3& cell) const noexcept {
 template <std::floating_point T>
 int Face<T>::planarSide(Axis axis) const noexcept {
   const auto [a, b, c] = mesh_->corners(index_);
-  const Vec3d corner = static_cast<Vec3d>(a);
-  const Vec3d normal = cross(static_cast<Vec3d>(b) - corner, static_cast<Vec3d>(c) - corner);
-  return normal[axis] < 0.0 ? -1 : normal[axis] > 0.0 ? 1 : 0;
+  return detail::trianglePlanarSide(a, b, c, axis);
 }
 
 template <std::floating_point T>
 std::optional<Hit<T>> Face<T>::intersect(const Ray<T>& ray, T tMin, T tMax) const noexcept {
   const auto [a, b, c] = mesh_->corners(index_);
-  const auto found = intersectTriangle(ShearedRay<T>(ray), a, b, c, tMin, tMax);
-  if (!found)
-    return std::nullopt;
-  Hit<T> hit;
-  hit.t = found->t;
-  hit.u = found->u;
-  hit.v = found->v;
-  hit.normal = triangleNormal(a, b, c, ray.direction);
-  return hit;
+  return detail::findTriangleHit(ray, a, b, c, tMin, tMax);
 }
 
 template class Face<float>;

@@ -1,9 +1,9 @@
-#include "shape/outward.hpp"
-
-#include <planetree/geometry/sheared_ray.hpp>
-#include <planetree/mesh/clip_triangle.hpp>
-#include <planetree/mesh/triangle_intersection.hpp>
 #include <planetree/shape/triangle.hpp>
+
+#include <planetree/mesh/clip_triangle.hpp>
+
+#include "mesh/triangle_hit.hpp"
+#include "shape/outward.hpp"
 
 namespace planetree {
 namespace {
@@ -42,24 +42,14 @@ Box3 Triangle<T>::clippedBounds(const Box3& cell) const noexcept {
 
 template <std::floating_point T>
 int Triangle<T>::planarSide(Axis axis) const noexcept {
-  const Vec3d corner(a);
-  const double component = cross(Vec3d(b) - corner, Vec3d(c) - corner)[axis];
-  return component < 0.0 ? -1 : component > 0.0 ? 1 : 0;
+  return detail::trianglePlanarSide(a, b, c, axis);
 }
 
 template <std::floating_point T>
 std::optional<Hit<T>> Triangle<T>::intersect(const Ray<T>& ray, T tMin, T tMax) const noexcept {
   if (!isFinite(*this) || hasRepeatedCorner(*this))
     return std::nullopt;
-  const auto found = intersectTriangle(ShearedRay<T>(ray), a, b, c, tMin, tMax);
-  if (!found)
-    return std::nullopt;
-  Hit<T> hit;
-  hit.t = found->t;
-  hit.u = found->u;
-  hit.v = found->v;
-  hit.normal = triangleNormal(a, b, c, ray.direction);
-  return hit;
+  return detail::findTriangleHit(ray, a, b, c, tMin, tMax);
 }
 
 template struct Triangle<float>;

@@ -48,7 +48,10 @@ struct Box3 {
     extend(Vec3f{roundDown(point.x), roundDown(point.y), roundDown(point.z)});
     extend(Vec3f{roundUp(point.x), roundUp(point.y), roundUp(point.z)});
   }
+  /// Extending by an empty box changes nothing.
   constexpr void extend(const Box3& box) noexcept {
+    if (box.isEmpty())
+      return;
     extend(box.lower);
     extend(box.upper);
   }

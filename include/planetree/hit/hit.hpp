@@ -22,7 +22,7 @@ struct Hit {
   T v = T(0);
   /// Geometric normal, unit length, on the side the object's orientation gives (for a triangle
   /// that from which its corners run counter-clockwise); never turned toward the ray.
-  Vec3<T> normal;
+  Vec3<T> normal = {};
   std::uint32_t geometry = kNoId;   ///< which geometry of the scene
   std::uint32_t primitive = kNoId;  ///< which face or shape of that geometry
   std::uint32_t part = 0;           ///< which piece of the shape's surface, as the shape documents

@@ -40,6 +40,12 @@ TEST(Box3, GrowsAroundBoxes) {
   EXPECT_EQ(box, (Box3{{-1, 0, 0}, {1, 1, 2}}));
 }
 
+TEST(Box3, DoesNotGrowAroundAnEmptyBox) {
+  Box3 box{{0, 0, 0}, {1, 1, 1}};
+  box.extend(Box3{});
+  EXPECT_EQ(box, (Box3{{0, 0, 0}, {1, 1, 1}}));
+}
+
 TEST(Box3, RoundsDoublesOutward) {
   Box3 box;
   box.extend(Vec3d{0.1, 0.1, 1e-60});

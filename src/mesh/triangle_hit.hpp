@@ -1,0 +1,34 @@
+#pragma once
+
+#include <planetree/hit/hit.hpp>
+#include <planetree/mesh/triangle_intersection.hpp>
+
+#include <optional>
+
+namespace planetree::detail {
+
+/// What a shape made of one triangle answers: the hit with its normal, without ids.
+template <class T>
+[[nodiscard]] std::optional<Hit<T>> findTriangleHit(const Ray<T>& ray, const Vec3<T>& a,
+                                                    const Vec3<T>& b, const Vec3<T>& c, T tMin,
+                                                    T tMax) noexcept {
+  const auto found = intersectTriangle(ShearedRay<T>(ray), a, b, c, tMin, tMax);
+  if (!found)
+    return std::nullopt;
+  return Hit<T>{.t = found->t,
+                .u = found->u,
+                .v = found->v,
+                .normal = triangleNormal(a, b, c, ray.direction)};
+}
+
+/// The sign of the normal's component along the axis, from the corners alone.
+template <class T>
+[[nodiscard]] int trianglePlanarSide(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c,
+                                     Axis axis) noexcept {
+  const auto corner = static_cast<Vec3d>(a);
+  const double component =
+      cross(static_cast<Vec3d>(b) - corner, static_cast<Vec3d>(c) - corner)[axis];
+  return component < 0.0 ? -1 : component > 0.0 ? 1 : 0;
+}
+
+}  // namespace planetree::detail
