@@ -1,6 +1,7 @@
 #include "exit_status.hpp"
 #include "render_command.hpp"
 #include "talk.hpp"
+#include "trace_command.hpp"
 #include "usage_error.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ using namespace planetree::tool;
 constexpr const char* kExamples = R"(Examples:
   planetree render                  a picture of a scene made in code
   planetree render bunny.obj        a picture of a model
+  planetree trace bunny.obj r.csv   what each ray of a file hits
   planetree render --help           all options of a command
 )";
 
@@ -36,6 +38,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   RenderCommand renderCommand;
   addRenderCommand(app, renderCommand);
+  TraceCommand traceCommand;
+  const CLI::App* const trace = addTraceCommand(app, traceCommand);
 
   try {
     app.parse(argc, argv);
@@ -52,6 +56,8 @@ int run(int argc, char** argv) {
     const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
     throw UsageError(error.what(), fmt::format("See planetree {}--help.", command));
   }
+  if (trace->parsed())
+    return runTraceCommand(traceCommand);
   return runRenderCommand(renderCommand);
 }
 

@@ -160,4 +160,8 @@ BuildOptions parsePreset(const OptionText& option) {
       option, {{{"default", BuildOptions{}}, {"textbook", BuildOptions::textbook()}}});
 }
 
+TableFormat parseTableFormat(const OptionText& option) {
+  return choose<TableFormat, 2>(option, {{{"csv", TableFormat::Csv}, {"npy", TableFormat::Npy}}});
+}
+
 }  // namespace planetree::tool

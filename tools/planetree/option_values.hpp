@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ray_files/table_format.hpp"
+
 #include "render/framing.hpp"
 #include "render/image.hpp"
 #include "render/render_image.hpp"
@@ -51,5 +53,6 @@ inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 [[nodiscard]] render::RenderMode parseMode(const OptionText& option);
 [[nodiscard]] render::UpAxis parseUpAxis(const OptionText& option);
 [[nodiscard]] BuildOptions parsePreset(const OptionText& option);
+[[nodiscard]] TableFormat parseTableFormat(const OptionText& option);
 
 }  // namespace planetree::tool

@@ -124,6 +124,14 @@ void checkIsWritable(const fs::path& path) try {
   fail(path, error.code().value());
 }
 
+bool canOverwriteStart(const fs::path& path) {
+  if (path == kStandardOutput)
+    return startOf(FileDescriptor(::dup(STDOUT_FILENO))) >= 0;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return !fs::is_fifo(status) && !fs::is_socket(status);
+}
+
 bool writeFile(const fs::path& path, std::span<const std::byte> bytes,
                const std::function<bool()>& isWanted) {
   if (!isWanted())
@@ -192,10 +200,6 @@ bool OutputFile::write(std::span<const std::byte> bytes) {
     bytes = bytes.subspan(static_cast<std::size_t>(count));
   }
   return true;
-}
-
-bool OutputFile::canOverwriteStart() const noexcept {
-  return start_ >= 0;
 }
 
 void OutputFile::overwriteStart(std::span<const std::byte> bytes) {

@@ -28,6 +28,10 @@ inline constexpr const char* kStandardOutput = "-";
 /// before long work; it changes nothing.
 void checkIsWritable(const std::filesystem::path& path);
 
+/// Whether `OutputFile::overwriteStart` will be possible: not in a pipe, nor where the system
+/// appends whatever is written.
+[[nodiscard]] bool canOverwriteStart(const std::filesystem::path& path);
+
 /// Writes all bytes. `isWanted` is asked once more just before the file appears under its name; if
 /// it answers no, nothing is left. Returns whether the file was written. Throws `Error` with
 /// `FileNotWritable`.
@@ -48,8 +52,6 @@ class OutputFile {
   /// Appends the bytes; false if they are no longer wanted.
   [[nodiscard]] bool write(std::span<const std::byte> bytes);
 
-  /// Whether `overwriteStart` is possible: not in a pipe, nor where everything is appended.
-  [[nodiscard]] bool canOverwriteStart() const noexcept;
   /// Replaces the first bytes that were written.
   void overwriteStart(std::span<const std::byte> bytes);
 

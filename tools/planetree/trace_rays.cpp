@@ -1,0 +1,210 @@
+#include "trace_rays.hpp"
+
+#include "ray_files/hit_table.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace planetree::tool {
+
+namespace {
+
+/// Blocks between reading and writing, for each thread: enough that none waits for its turn to
+/// write.
+constexpr std::size_t kBlocksPerThread = 4;
+
+/// A block on its way from the rays to the hits.
+struct Parcel {
+  RayBlock rays;
+  std::string rows;
+  TraceReport report;
+  /// A fault is kept until all blocks before it are written: which one is told, and what is written
+  /// before, must not depend on the threads.
+  std::exception_ptr fault;
+};
+using ParcelPointer = std::shared_ptr<Parcel>;
+
+template <class T>
+bool isValid(const Ray<T>& ray) noexcept {
+  return isFinite(ray.origin) && isFinite(ray.direction) && ray.direction != Vec3<T>{} &&
+         !std::isnan(ray.tMin) && !std::isnan(ray.tMax);
+}
+
+template <class T>
+std::vector<Ray<T>> decode(const RayReader& reader, const RayBlock& block) {
+  if constexpr (std::same_as<T, float>) {
+    return reader.decodeFloat(block);
+  } else {
+    return reader.decodeDouble(block);
+  }
+}
+
+template <class T>
+void answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, Hit<T>& hit) noexcept {
+  hit = tree.findIntersection(ray).value_or(Hit<T>{});
+}
+
+template <class T>
+void answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, Occlusion& occlusion) noexcept {
+  occlusion.isHit = tree.isOccluded(ray);
+}
+
+template <class T>
+bool isHit(const Hit<T>& hit) noexcept {
+  return hit.primitive != kNoId;
+}
+
+bool isHit(const Occlusion& occlusion) noexcept {
+  return occlusion.isHit;
+}
+
+/// The three stages of a block, and the table that comes out.
+template <class T, class Answer>
+class Tracing {
+ public:
+  Tracing(const KdTree<Face<T>>& tree, RayReader& rays, OutputFile& hits,
+          const TraceSettings& settings)
+      : tree_(tree), rays_(rays), hits_(hits), settings_(settings) {}
+
+  TraceReport run(std::size_t mostBlocks) {
+    beginTable();
+    using tbb::filter_mode;
+    tbb::parallel_pipeline(
+        mostBlocks,
+        tbb::make_filter<void, ParcelPointer>(filter_mode::serial_in_order,
+                                              [this](tbb::flow_control& control) {
+                                                ParcelPointer parcel = read();
+                                                if (!parcel)
+                                                  control.stop();
+                                                return parcel;
+                                              }) &
+            tbb::make_filter<ParcelPointer, ParcelPointer>(filter_mode::parallel,
+                                                           [this](ParcelPointer parcel) {
+                                                             trace(*parcel);
+                                                             return parcel;
+                                                           }) &
+            tbb::make_filter<ParcelPointer, void>(
+                filter_mode::serial_in_order,
+                [this](const ParcelPointer& parcel) { write(*parcel); }));
+    if (!settings_.keepsGoing())
+      report_.isInterrupted = true;
+    if (!report_.isInterrupted)
+      endTable();
+    return report_;
+  }
+
+ private:
+  void beginTable() {
+    const std::optional<std::uint64_t> count = rays_.rayCount();
+    std::string header = tableHeader<Answer>(settings_.format, count.value_or(0));
+    isCountMissing_ = settings_.format == TableFormat::Npy && !count;
+    // Until the count is known the table must not pass for one.
+    if (isCountMissing_)
+      header.assign(header.size(), ' ');
+    append(header);
+  }
+
+  void endTable() {
+    if (!isCountMissing_)
+      return;
+    const std::string header = tableHeader<Answer>(settings_.format, report_.rayCount);
+    hits_.overwriteStart(std::as_bytes(std::span(header)));
+  }
+
+  /// The next block; nothing at the end.
+  ParcelPointer read() {
+    if (isAtEnd_)
+      return nullptr;
+    auto parcel = std::make_shared<Parcel>();
+    try {
+      isAtEnd_ = !rays_.next(parcel->rays, settings_.keepsGoing);
+      if (isAtEnd_)
+        return nullptr;
+    } catch (...) {
+      isAtEnd_ = true;
+      parcel->fault = std::current_exception();
+    }
+    if (const auto progress = rays_.progress(); progress && settings_.reportProgress)
+      settings_.reportProgress(*progress);
+    return parcel;
+  }
+
+  /// Any number of blocks at once.
+  void trace(Parcel& parcel) const noexcept {
+    if (parcel.fault)
+      return;
+    try {
+      const std::vector<Ray<T>> rays = decode<T>(rays_, parcel.rays);
+      std::vector<Answer> answers(rays.size());
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        answer(tree_, rays[i], answers[i]);
+        parcel.report.hitCount += isHit(answers[i]) ? 1u : 0u;
+        parcel.report.invalidRayCount += isValid(rays[i]) ? 0u : 1u;
+      }
+      parcel.report.rayCount = rays.size();
+      appendRows<Answer>(parcel.rows, settings_.format, answers);
+    } catch (...) {
+      parcel.fault = std::current_exception();
+    }
+  }
+
+  void write(const Parcel& parcel) {
+    if (parcel.fault)
+      std::rethrow_exception(parcel.fault);
+    if (report_.isInterrupted)
+      return;
+    append(parcel.rows);
+    report_.rayCount += parcel.report.rayCount;
+    report_.hitCount += parcel.report.hitCount;
+    report_.invalidRayCount += parcel.report.invalidRayCount;
+  }
+
+  void append(const std::string& bytes) {
+    report_.isInterrupted = !hits_.write(std::as_bytes(std::span(bytes)));
+    report_.byteCount += bytes.size();
+  }
+
+  const KdTree<Face<T>>& tree_;
+  RayReader& rays_;
+  OutputFile& hits_;
+  const TraceSettings& settings_;
+  TraceReport report_;
+  bool isAtEnd_ = false;
+  bool isCountMissing_ = false;
+};
+
+}  // namespace
+
+template <std::floating_point T>
+TraceReport traceRays(const KdTree<Face<T>>& tree, RayReader& rays, OutputFile& hits,
+                      const TraceSettings& settings) {
+  const int threadCount = settings.threadCount == 0 ? tbb::info::default_concurrency()
+                                                    : static_cast<int>(settings.threadCount);
+  const auto mostThreads = static_cast<std::size_t>(threadCount);
+  // Without it oneTBB never runs more threads than the machine has.
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, mostThreads);
+  tbb::task_arena arena(threadCount);
+  const std::size_t mostBlocks = kBlocksPerThread * mostThreads;
+  return arena.execute([&] {
+    return settings.query == RayQuery::AnyHit
+               ? Tracing<T, Occlusion>(tree, rays, hits, settings).run(mostBlocks)
+               : Tracing<T, Hit<T>>(tree, rays, hits, settings).run(mostBlocks);
+  });
+}
+
+template TraceReport traceRays<float>(const KdTree<Face<float>>&, RayReader&, OutputFile&,
+                                      const TraceSettings&);
+template TraceReport traceRays<double>(const KdTree<Face<double>>&, RayReader&, OutputFile&,
+                                       const TraceSettings&);
+
+}  // namespace planetree::tool
