@@ -6,15 +6,31 @@
 #include "mesh/triangle_hit.hpp"
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace planetree {
+namespace {
+
+/// Whether a float box can hold the point: a double just beyond the largest float would round to it,
+/// but the box has to be rounded outward. False for NaN.
+template <class T>
+bool fitsIntoABox(const Vec3<T>& point) noexcept {
+  constexpr auto kLargest = static_cast<T>(std::numeric_limits<float>::max());
+  for (const Axis axis : kAxes) {
+    if (!(std::fabs(point[axis]) <= kLargest))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 template <std::floating_point T>
 bool Face<T>::isUsable() const noexcept {
   for (const std::uint32_t vertex : mesh_->indices(index_)) {
-    if (vertex >= mesh_->vertexCount() || !isFinite(static_cast<Vec3f>(mesh_->position(vertex)))) {
+    if (vertex >= mesh_->vertexCount() || !fitsIntoABox(mesh_->position(vertex)))
       return false;
-    }
   }
   return true;
 }
