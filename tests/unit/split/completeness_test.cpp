@@ -279,6 +279,24 @@ TEST(Completeness, HoldsFarFromTheOrigin) {
       [&](MeshGenerator& generator) { return farAway(generator.slivers<float>(60, 63)); }, largest);
 }
 
+// Large enough for the builder to make the two sides of several splits apart from each other.
+TEST(Completeness, HoldsForLargeMeshes) {
+  MeshGenerator generator(kSeed);
+  for (NamedOptions named : {clippingOptions().front(), boxOptions()[1]}) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", " << named.name);
+    const TriangleMesh<float> mesh = generator.integerSoup<float>(20'000, 64, 2);
+    expectCovered(mesh, buildTree(mesh.view(), named.options));
+    // Few leaves, so that each can be judged with each face.
+    named.options.leafSize = 1000;
+    const auto tree = buildTree(mesh.view(), named.options);
+    EXPECT_FALSE(
+        validateTree(tree.nodes(), tree.view().references, tree.bounds(), tree.objectCount()));
+    EXPECT_GT(tree.statistics().leafNodeCount, 20u);
+    EntryCounts counts;
+    expectExactLists<0, 84>(mesh, tree, kExtent, counts);
+  }
+}
+
 // Corners in double have more bits than boxes in float hold: they must be rounded outward.
 TEST(Completeness, HoldsForCornersThatFloatCannotHold) {
   constexpr int kCornerBits = 24;

@@ -1,4 +1,5 @@
 #include <planetree/build_tree.hpp>
+#include <planetree/node/validate_tree.hpp>
 #include <planetree/scene.hpp>
 
 #include "unit/split/random_meshes.hpp"
@@ -40,6 +41,8 @@ void expectSameTreeForAllThreadCounts(TriangleMeshView<T> mesh, BuildOptions opt
   options.threadCount = 1;
   const auto serial = buildTree(mesh, options);
   EXPECT_GT(serial.nodes().size(), 1u);
+  EXPECT_FALSE(validateTree(serial.nodes(), serial.view().references, serial.bounds(),
+                            serial.objectCount()));
   for (const std::uint32_t threadCount : {1u, 2u, 3u, 8u, 0u}) {
     options.threadCount = threadCount;
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", " << threadCount << " threads");
