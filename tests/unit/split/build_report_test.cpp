@@ -164,6 +164,17 @@ TEST(BuildReport, SkipsDoublesBeyondTheRangeOfFloat) {
   EXPECT_EQ(listedObjects(tree), (std::set<std::uint32_t>{2}));
 }
 
+// A double just above the largest float rounds to it, but the box around it cannot.
+TEST(BuildReport, SkipsDoublesThatNoFiniteBoxHolds) {
+  TriangleMesh<double> mesh;
+  const double beyond = static_cast<double>(kLargest) * (1.0 + 0x1p-40);
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, beyond, 0}, {0, 1, 0}};
+  mesh.faces = {{0, 1, 2}, {0, 1, 3}};
+  const auto tree = buildTree(mesh);
+  EXPECT_EQ(reasonsOf(tree), (std::vector{SkipReason::NotFinite}));
+  EXPECT_TRUE(isFinite(tree.bounds().upper));
+}
+
 TEST(BuildReport, TakesTheWholeRangeOfFloat) {
   TriangleMesh<float> mesh;
   mesh.positions = {{kLargest, 0, 0}, {-kLargest, kLargest, 0}, {0, -kLargest, kLargest}};
