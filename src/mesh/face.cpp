@@ -12,8 +12,8 @@
 namespace planetree {
 namespace {
 
-/// Whether a float box can hold the point: a double just beyond the largest float would round to it,
-/// but the box has to be rounded outward. False for NaN.
+/// Whether a float box can hold the point: a double just beyond the largest float would round to
+/// it, but the box has to be rounded outward. False for NaN.
 template <class T>
 bool fitsIntoABox(const Vec3<T>& point) noexcept {
   constexpr auto kLargest = static_cast<T>(std::numeric_limits<float>::max());
