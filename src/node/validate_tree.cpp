@@ -18,11 +18,14 @@ std::string atNode(std::size_t node, const std::string& problem) {
 }
 
 std::optional<std::string> validateLeaf(const LeafNode& leaf, std::size_t node,
+                                        std::uint64_t expectedReference,
                                         std::span<const std::uint32_t> references,
                                         std::uint64_t objectCount) {
   const std::uint64_t end = std::uint64_t{leaf.firstReference()} + leaf.count();
   if (end > references.size())
     return atNode(node, "names references beyond the last");
+  if (leaf.firstReference() != expectedReference)
+    return atNode(node, "does not begin where the references of the last leaf end");
   for (std::uint64_t i = leaf.firstReference(); i < end; ++i) {
     if (references[i] >= objectCount)
       return atNode(node, "names an object that does not exist");
@@ -55,8 +58,12 @@ std::optional<std::string> validateTree(std::span<const Node> nodes,
                                         const Box3& bounds, std::uint64_t objectCount) {
   if (nodes.empty())
     return "the tree has no root";
+  const bool isFiniteBox = isFinite(bounds.lower) && isFinite(bounds.upper);
+  if (bounds != Box3{} && (!isFiniteBox || bounds.isEmpty()))
+    return "the bounds are neither a finite box nor empty";
   std::vector<Cell> cells = {{0, bounds, 1}};
   std::size_t expected = 0;
+  std::uint64_t expectedReference = 0;
   while (!cells.empty()) {
     const Cell cell = cells.back();
     cells.pop_back();
@@ -65,9 +72,11 @@ std::optional<std::string> validateTree(std::span<const Node> nodes,
       return atNode(cell.node, "is not where depth-first order puts it");
     const Node& node = nodes[cell.node];
     if (node.isLeaf()) {
-      if (auto problem = validateLeaf(node.leaf(), cell.node, references, objectCount)) {
+      auto problem =
+          validateLeaf(node.leaf(), cell.node, expectedReference, references, objectCount);
+      if (problem)
         return problem;
-      }
+      expectedReference += node.leaf().count();
       continue;
     }
     const SplitNode& split = node.split();
@@ -80,6 +89,8 @@ std::optional<std::string> validateTree(std::span<const Node> nodes,
   }
   if (expected != nodes.size())
     return atNode(expected, "is reached from no other");
+  if (expectedReference != references.size())
+    return "reference " + std::to_string(expectedReference) + " belongs to no leaf";
   return std::nullopt;
 }
 

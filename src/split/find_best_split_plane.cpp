@@ -15,7 +15,8 @@ namespace {
 class SortedPositions {
  public:
   void reserve(std::size_t count) { positions_.reserve(count); }
-  void add(float position) { positions_.push_back(position); }
+  // Adding zero turns -0 into +0: the plane must not depend on which of them came first.
+  void add(float position) { positions_.push_back(position + 0.0f); }
   void sort() { std::sort(positions_.begin(), positions_.end()); }
 
   [[nodiscard]] std::size_t size() const noexcept { return positions_.size(); }

@@ -45,7 +45,7 @@ void TreeBuilder::buildTree(std::vector<Reference> references, const Box3& cell,
 }
 
 bool TreeBuilder::mustBeLeaf(std::size_t count, std::uint32_t level) const noexcept {
-  return count == 0 || count <= options_.leafSize || level == depthLimit_;
+  return count <= options_.leafSize || level == depthLimit_;
 }
 
 bool TreeBuilder::isWorthIt(const SplitPlane& plane, std::size_t count) const noexcept {

@@ -46,8 +46,9 @@ struct BuildOptions {
 
   /// The rules of the textbook to the letter: the plane with the smallest (nL AL + nR AR) / A wins,
   /// whole boxes are counted, an empty side makes a leaf, and only `leafSize` (10) and `depthLimit`
-  /// (15) stop. For teaching and as a yardstick: cutting off empty space is often cheapest, so that
-  /// these rules end early with large leaves, up to a single leaf for everything.
+  /// (15) stop. For teaching and as a yardstick: a plane that cuts off empty space, or on a wall of
+  /// the cell, is often cheapest, so that these rules end early with large leaves, up to a single
+  /// leaf for everything.
   [[nodiscard]] static constexpr BuildOptions textbook() noexcept {
     BuildOptions options;
     options.leafSize = 10;

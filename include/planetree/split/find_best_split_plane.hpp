@@ -21,6 +21,8 @@ namespace planetree {
 /// the sweep. Unlike the paper, equal costs are broken by axis, then by the lower position: the
 /// result must not depend on the order of the references.
 ///
+/// Objects in the plane go right unless left is strictly cheaper.
+///
 /// Under `allowsEmptyCells` planes strictly inside the cell are candidates; without, also those on
 /// its walls, which leave one side flat, as the textbook has it. Planes outside do not divide the
 /// cell and are passed over.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace planetree::test {
 namespace {
@@ -48,6 +49,22 @@ TYPED_TEST(ClipTriangle, KeepsATriangleThatOnlyTouchesTheCell) {
       clippedTriangleBounds<T>({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {{2, 2, -1}, {4, 4, 1}}).isEmpty());
   EXPECT_FALSE(
       clippedTriangleBounds<T>({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {{4, 0, 0}, {5, 1, 1}}).isEmpty());
+}
+
+TEST(ClipTriangleOfDoubles, LeavesRoomForRounding) {
+  // The edge from the origin to (x, y) meets x = 2 at q + 1 / x, just above the float q, but so
+  // little that the nearest double is q itself.
+  constexpr std::int64_t kQ = (1 << 23) + 1;
+  constexpr std::int64_t kX = (1 << 30) + 1;
+  const auto q = static_cast<double>(kQ);
+  const auto x = static_cast<double>(kX);
+  const auto y = static_cast<double>((kQ * kX + 1) / 2);
+  ASSERT_EQ(2.0 * y / x, q);
+  for (const double sign : {1.0, -1.0}) {
+    const Box3 clipped = clippedTriangleBounds<double>({0, 0, 0}, {x, sign * y, 0}, {0, 0, 1},
+                                                       {{-1, -0x1p30f, -1}, {2, 0x1p30f, 1}});
+    EXPECT_GT(clipped.upper.y - clipped.lower.y, static_cast<float>(q)) << sign;
+  }
 }
 
 TYPED_TEST(ClipTriangle, KeepsAFlatTriangleFlat) {

@@ -161,7 +161,9 @@ TEST(ValidateTree, SurvivesRandomBytes) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", round " << round);
     Arrays arrays;
     arrays.nodes = spoiler.randomWords<Node>(1 + spoiler.below(12), LeafNode(0, 0));
-    arrays.references = spoiler.randomWords<std::uint32_t>(spoiler.below(12), 0u);
+    // Leaves that share out even one reference are rare among random ones.
+    const std::size_t referenceCount = spoiler.below(2) == 0 ? 0 : spoiler.below(12);
+    arrays.references = spoiler.randomWords<std::uint32_t>(referenceCount, 0u);
     arrays.bounds = {.lower = {-1, -1, -1}, .upper = {1, 1, 1}};
     arrays.objectCount = spoiler.below(64);
     acceptedCount += arrays.areAccepted() ? 1 : 0;
@@ -182,8 +184,9 @@ TEST(ValidateTree, SurvivesRandomBounds) {
       std::memcpy(&bounds.lower[axis], &bits[0], sizeof(float));
       std::memcpy(&bounds.upper[axis], &bits[1], sizeof(float));
     }
+    const bool isBox = isFinite(bounds.lower) && isFinite(bounds.upper) && !bounds.isEmpty();
     const bool holdsPlane = bounds.lower.x <= 0.0f && bounds.upper.x >= 0.0f;
-    EXPECT_EQ(validateTree(nodes, {}, bounds, 0).has_value(), !holdsPlane)
+    EXPECT_EQ(validateTree(nodes, {}, bounds, 0).has_value(), !(isBox && holdsPlane))
         << "seed " << kSeed + 1 << ", round " << round;
   }
 }

@@ -189,6 +189,28 @@ TEST(ValidateTree, RefusesAPathOfAMillionNodesAtOnce) {
   EXPECT_TRUE(tree.problem());
 }
 
+TEST(ValidateTree, NamesBoundsThatAreNoBox) {
+  const std::vector<Node> nodes = {SplitNode(Axis::X, kInfinity, 2), LeafNode(0, 0),
+                                   LeafNode(0, 0)};
+  const Box3 everything = {.lower = {-kInfinity, -kInfinity, -kInfinity},
+                           .upper = {kInfinity, kInfinity, kInfinity}};
+  EXPECT_TRUE(validateTree(nodes, {}, everything, 0));
+  const std::vector<Node> leaf = {LeafNode(0, 0)};
+  EXPECT_TRUE(validateTree(leaf, {}, {.lower = {kNaN, 0, 0}, .upper = {1, 1, 1}}, 0));
+  EXPECT_TRUE(validateTree(leaf, {}, {.lower = {1, 0, 0}, .upper = {0, 1, 1}}, 0));
+  EXPECT_FALSE(validateTree(leaf, {}, Box3{}, 0));
+}
+
+TEST(ValidateTree, RefusesReferencesThatLeavesShareOrLeaveOut) {
+  const std::vector<std::uint32_t> references = {0, 1};
+  const std::vector<Node> shared = {SplitNode(Axis::X, 2.0f, 2), LeafNode(0, 2), LeafNode(0, 2)};
+  EXPECT_TRUE(validateTree(shared, references, kBounds, 2));
+  const std::vector<Node> gap = {SplitNode(Axis::X, 2.0f, 2), LeafNode(0, 0), LeafNode(1, 1)};
+  EXPECT_TRUE(validateTree(gap, references, kBounds, 2));
+  const std::vector<Node> rest = {SplitNode(Axis::X, 2.0f, 2), LeafNode(0, 1), LeafNode(1, 0)};
+  EXPECT_TRUE(validateTree(rest, references, kBounds, 2));
+}
+
 TEST(ValidateTree, NamesEveryTruncation) {
   const HandMadeTree whole;
   for (std::size_t nodeCount = 0; nodeCount < whole.nodes.size(); ++nodeCount) {

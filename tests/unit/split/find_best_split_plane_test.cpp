@@ -282,6 +282,17 @@ TEST(FindBestSplitPlane, WorksAtTheEndsOfTheRangeOfFloat) {
   }
 }
 
+TEST(FindBestSplitPlane, GivesTheSameBitsForBothZerosInAnyOrder) {
+  const Box3 cell = {.lower = {-1, 0, 0}, .upper = {1, 1, 1}};
+  const std::vector<Reference> positiveFirst = {box({-1, 0, 0}, {0.0f, 1, 1}),
+                                                box({-1, 0, 0}, {-0.0f, 1, 1})};
+  const std::vector<Reference> negativeFirst = {positiveFirst[1], positiveFirst[0]};
+  const auto plane = findBestSplitPlane(positiveFirst, cell, {});
+  const auto same = findBestSplitPlane(negativeFirst, cell, {});
+  ASSERT_TRUE(plane && same);
+  EXPECT_EQ(std::signbit(plane->position), std::signbit(same->position));
+}
+
 TEST(FindBestSplitPlane, TakesBothZerosForOnePosition) {
   const Box3 cell = {.lower = {-1, -1, -1}, .upper = {1, 1, 1}};
   const std::vector<Reference> references = {
