@@ -7,9 +7,13 @@ packages_for() {
   case $1 in
     # To configure and build everything, the tests included.
     build) echo g++ cmake ninja-build libtbb-dev libtinyobjloader-dev libcli11-dev libfmt-dev \
-                libstb-dev libgtest-dev ;;
+                libstb-dev libgtest-dev nlohmann-json3-dev ;;
     # To have a bunny to draw.
     demo) echo glmark2-data ;;
+    # For scripts/bench.sh: the libraries that planetree is compared with.
+    bench) echo libembree-dev libcgal-dev ;;
+    # For scripts/fetch_scenes.sh: models to measure with.
+    scenes) echo glmark2-data assimp-testmodels ;;
     # For .ci/run: a second compiler with its sanitizers, and what reads the sources.
     ci) echo clang libclang-rt-14-dev clang-format git shellcheck ;;
     *) say "no packages are known for '$1'"; return 1 ;;

@@ -44,7 +44,7 @@ check_build_options() {
 
 check_packages() {
   local purpose package
-  for purpose in build demo ci; do
+  for purpose in build demo bench scenes ci; do
     for package in $(packages_for "$purpose"); do
       grep -qF "\`$package\`" docs/dependencies.md ||
         fail "docs/dependencies.md does not say what $package is for"

@@ -1,0 +1,65 @@
+#include "bench/report_command.hpp"
+#include "bench/rivals_command.hpp"
+#include "bench/scene_command.hpp"
+#include "bench/usage_error.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace {
+
+using namespace planetree::bench;
+
+constexpr const char* kExamples = R"(Examples:
+  planetree-bench rivals bunny.obj                            rays, with all engines there are
+  planetree-bench rivals --measure build --json b.json *.ply  build times, kept
+  planetree-bench scene terrain -o terrain.ply                a scene to measure with
+)";
+
+int run(int argc, char** argv) {
+  CLI::App app("Measures planetree beside other libraries", "planetree-bench");
+  app.footer(kExamples);
+  app.require_subcommand(1);
+  RivalsCommand rivals;
+  SceneCommand scene;
+  ReportCommand report;
+  const CLI::App* const rivalsApp = addRivalsCommand(app, rivals);
+  const CLI::App* const sceneApp = addSceneCommand(app, scene);
+  addReportCommand(app, report);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what(), "See planetree-bench --help, and COMMAND --help.");
+  }
+  if (rivalsApp->parsed())
+    return runRivalsCommand(rivals);
+  if (sceneApp->parsed())
+    return runSceneCommand(scene);
+  return runReportCommand(report);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "planetree-bench: {}\n", error.what());
+    return kWrongUsage;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr,
+               "planetree-bench: out of memory. Try a smaller scene, or fewer --engines.\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "planetree-bench: {}\n", error.what());
+  }
+  return kFailed;
+}

@@ -1,0 +1,181 @@
+#include "bench/rivals/engines.hpp"
+
+#include <embree3/rtcore.h>
+#include <pmmintrin.h>
+#include <xmmintrin.h>
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+/// Embree 3 from Debian, used as its manual recommends: denormals are flushed while it works.
+namespace planetree::bench {
+
+namespace {
+
+/// Sets flush-to-zero and denormals-are-zero for this thread, and puts back what there was.
+class DenormalsFlushed {
+ public:
+  DenormalsFlushed() : before_(_mm_getcsr()) {
+    _mm_setcsr(before_ | static_cast<unsigned>(_MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON));
+  }
+  ~DenormalsFlushed() { _mm_setcsr(before_); }
+  DenormalsFlushed(const DenormalsFlushed&) = delete;
+  DenormalsFlushed& operator=(const DenormalsFlushed&) = delete;
+
+ private:
+  unsigned before_;
+};
+
+RTCRay toEmbree(const Rayf& ray) {
+  RTCRay out;
+  out.org_x = ray.origin.x;
+  out.org_y = ray.origin.y;
+  out.org_z = ray.origin.z;
+  out.tnear = ray.tMin;
+  out.dir_x = ray.direction.x;
+  out.dir_y = ray.direction.y;
+  out.dir_z = ray.direction.z;
+  out.time = 0.0f;
+  out.tfar = ray.tMax;
+  out.mask = ~0u;
+  out.id = 0;
+  out.flags = 0;
+  return out;
+}
+
+Hitf fromEmbree(const RTCRayHit& found) {
+  if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+    return {};
+  return {.t = found.ray.tfar,
+          .u = found.hit.u,
+          .v = found.hit.v,
+          .normal = {found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z},
+          .geometry = found.hit.geomID,
+          .primitive = found.hit.primID};
+}
+
+/// Threads, and what Embree keeps for all scenes of a program. Making one is not part of a build.
+class Device {
+ public:
+  explicit Device(unsigned threadCount)
+      : device_(rtcNewDevice(("threads=" + std::to_string(threadCount)).c_str())) {
+    if (!device_)
+      throw std::runtime_error("Embree made no device. Is its library damaged? Install it anew.");
+  }
+  ~Device() { rtcReleaseDevice(device_); }
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  [[nodiscard]] RTCDevice get() const noexcept { return device_; }
+
+  /// The device for a number of threads; the last one stays until another number is asked for.
+  static std::shared_ptr<const Device> with(unsigned threadCount) {
+    static std::pair<unsigned, std::shared_ptr<const Device>> last;
+    if (!last.second || last.first != threadCount) {
+      last.second.reset();
+      last = {threadCount, std::make_shared<const Device>(threadCount)};
+    }
+    return last.second;
+  }
+
+ private:
+  RTCDevice device_;
+};
+
+class Embree3Structure final : public Structure {
+ public:
+  Embree3Structure(std::shared_ptr<const Device> device, const TriangleMesh<float>& mesh,
+                   RTCBuildQuality quality, RTCSceneFlags flags)
+      : device_(std::move(device)), scene_(rtcNewScene(device_->get())) {
+    const DenormalsFlushed flushed;
+    rtcSetSceneBuildQuality(scene_, quality);
+    rtcSetSceneFlags(scene_, flags);
+    const RTCGeometry geometry = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetGeometryBuildQuality(geometry, quality);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               mesh.positions.data(), 0, sizeof(Vec3f), mesh.positions.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               mesh.faces.data(), 0, sizeof(FaceIndices), mesh.faces.size());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_);
+    if (rtcGetDeviceError(device_->get()) != RTC_ERROR_NONE) {
+      rtcReleaseScene(scene_);
+      throw std::runtime_error("Embree could not build. Try a smaller scene, or leave it out.");
+    }
+  }
+  ~Embree3Structure() override { rtcReleaseScene(scene_); }
+
+  void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const override {
+    const DenormalsFlushed flushed;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      RTCRayHit rayHit;
+      rayHit.ray = toEmbree(rays[i]);
+      rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(scene_, &context, &rayHit);
+      hits[i] = fromEmbree(rayHit);
+    }
+  }
+
+  void findOcclusions(std::span<const Rayf> rays, std::span<std::uint8_t> occluded) const override {
+    const DenormalsFlushed flushed;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      RTCRay ray = toEmbree(rays[i]);
+      rtcOccluded1(scene_, &context, &ray);
+      // Embree tells an occluded ray by a negative tfar.
+      occluded[i] = ray.tfar < 0.0f ? 1 : 0;
+    }
+  }
+
+ private:
+  std::shared_ptr<const Device> device_;
+  RTCScene scene_;
+};
+
+class Embree3Engine final : public Engine {
+ public:
+  Embree3Engine(std::string mode, RTCBuildQuality quality, RTCSceneFlags flags)
+      : mode_(std::move(mode)), quality_(quality), flags_(flags) {}
+
+  [[nodiscard]] std::string name() const override { return "embree3"; }
+  [[nodiscard]] std::string mode() const override { return mode_; }
+  [[nodiscard]] bool isDefault() const override {
+    return quality_ == RTC_BUILD_QUALITY_MEDIUM && flags_ == RTC_SCENE_FLAG_NONE;
+  }
+
+  [[nodiscard]] std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
+                                                 unsigned threadCount) const override {
+    return std::make_unique<Embree3Structure>(Device::with(threadCount), mesh, quality_, flags_);
+  }
+
+ private:
+  std::string mode_;
+  RTCBuildQuality quality_;
+  RTCSceneFlags flags_;
+};
+
+}  // namespace
+
+EngineList embree3Engines() {
+  const std::array qualities = {std::pair("low", RTC_BUILD_QUALITY_LOW),
+                                std::pair("medium", RTC_BUILD_QUALITY_MEDIUM),
+                                std::pair("high", RTC_BUILD_QUALITY_HIGH)};
+  EngineList engines;
+  for (const auto& [flags, suffix] :
+       {std::pair(RTC_SCENE_FLAG_NONE, ""), std::pair(RTC_SCENE_FLAG_ROBUST, "-robust")}) {
+    for (const auto& [name, quality] : qualities)
+      engines.push_back(
+          std::make_unique<Embree3Engine>(std::string(name) + suffix, quality, flags));
+  }
+  return engines;
+}
+
+}  // namespace planetree::bench

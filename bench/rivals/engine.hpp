@@ -1,0 +1,62 @@
+#pragma once
+
+#include <planetree/geometry/ray.hpp>
+#include <planetree/hit/hit.hpp>
+#include <planetree/mesh/triangle_mesh.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+/// What is compared: libraries behind one interface, one file for each library.
+///
+/// The rules are the same for all. Each reads the same array of rays and writes the same array of
+/// hits, with t, u, v, normal and ids; what turning a `Rayf` into its own ray costs a library is
+/// part of using it. Each ray is answered by a call into compiled code of the library, or, for a
+/// library of headers only, by a function that is not inlined.
+namespace planetree::bench {
+
+/// What a library has made of a mesh. Its queries may be called from several threads at once.
+class Structure {
+ public:
+  Structure() = default;
+  Structure(const Structure&) = delete;
+  Structure& operator=(const Structure&) = delete;
+  virtual ~Structure() = default;
+
+  /// The nearest hit of each ray; a miss is a default-made `Hitf`. The normal may have any length:
+  /// no rival computes a unit normal, and none has to. Both spans have one size.
+  virtual void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const = 0;
+
+  /// For each ray 1 if it hits anything, else 0. Both spans have one size.
+  virtual void findOcclusions(std::span<const Rayf> rays,
+                              std::span<std::uint8_t> occluded) const = 0;
+};
+
+/// A library in one of its modes: quality of the build, kind of test, single rays or packets.
+class Engine {
+ public:
+  Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+  virtual ~Engine() = default;
+
+  [[nodiscard]] virtual std::string name() const = 0;  ///< "planetree", "embree3", "cgal"
+  [[nodiscard]] virtual std::string mode() const = 0;  ///< "balanced-watertight", "high-robust"
+  /// Whether this mode is what a user of the library gets without options.
+  [[nodiscard]] virtual bool isDefault() const = 0;
+  /// Whether the answers must be those of brute force bit for bit. Others may differ at edges.
+  [[nodiscard]] virtual bool isExact() const { return false; }
+  /// Whether queries read the arrays that the structure was made from, so that these belong to the
+  /// memory it takes.
+  [[nodiscard]] virtual bool queriesReadMesh() const { return false; }
+
+  /// Everything from the arrays to the first ray that can be traced. The arrays stay the caller's
+  /// and outlive the structure; sixteen bytes can be read from the last position on. Uses
+  /// `threadCount` threads where the library has a choice.
+  [[nodiscard]] virtual std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
+                                                         unsigned threadCount) const = 0;
+};
+
+}  // namespace planetree::bench

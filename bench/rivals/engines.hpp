@@ -1,0 +1,29 @@
+#pragma once
+
+#include "bench/rivals/engine.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace planetree::bench {
+
+using EngineList = std::vector<std::unique_ptr<Engine>>;
+
+// One function for each library. They are defined only where the library was found.
+[[nodiscard]] EngineList planetreeEngines();
+[[nodiscard]] EngineList embree3Engines();
+[[nodiscard]] EngineList cgalEngines();
+
+/// A library that may take part, and what is known without it.
+struct Rival {
+  std::string name;
+  EngineList (*engines)();   ///< null where the library was not found when this was built
+  std::string package;       ///< the Debian package that has it
+  bool joinsUnasked = true;  ///< whether it takes part where nobody was named
+};
+
+/// planetree first.
+[[nodiscard]] const std::vector<Rival>& rivals();
+
+}  // namespace planetree::bench

@@ -1,0 +1,63 @@
+#include "bench/rivals/engines.hpp"
+
+#include <planetree/build_tree.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace planetree::bench {
+
+namespace {
+
+class PlanetreeStructure final : public Structure {
+ public:
+  explicit PlanetreeStructure(KdTree<Face<float>> tree) : tree_(std::move(tree)) {}
+
+  void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const override {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      hits[i] = tree_.findIntersection(rays[i]).value_or(Hitf{});
+  }
+
+  void findOcclusions(std::span<const Rayf> rays, std::span<std::uint8_t> occluded) const override {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      occluded[i] = tree_.isOccluded(rays[i]) ? 1 : 0;
+  }
+
+ private:
+  KdTree<Face<float>> tree_;
+};
+
+class PlanetreeEngine final : public Engine {
+ public:
+  PlanetreeEngine(std::string mode, BuildOptions options, bool isDefault)
+      : mode_(std::move(mode)), options_(options), isDefault_(isDefault) {}
+
+  [[nodiscard]] std::string name() const override { return "planetree"; }
+  [[nodiscard]] std::string mode() const override { return mode_; }
+  [[nodiscard]] bool isDefault() const override { return isDefault_; }
+  [[nodiscard]] bool isExact() const override { return true; }
+  /// Leaves name faces, and the triangle test looks their corners up.
+  [[nodiscard]] bool queriesReadMesh() const override { return true; }
+
+  [[nodiscard]] std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
+                                                 unsigned threadCount) const override {
+    BuildOptions options = options_;
+    options.threadCount = threadCount;
+    return std::make_unique<PlanetreeStructure>(buildTree(mesh.view(), options));
+  }
+
+ private:
+  std::string mode_;
+  BuildOptions options_;
+  bool isDefault_;
+};
+
+}  // namespace
+
+EngineList planetreeEngines() {
+  EngineList engines;
+  engines.push_back(std::make_unique<PlanetreeEngine>("balanced-watertight", BuildOptions{}, true));
+  return engines;
+}
+
+}  // namespace planetree::bench

@@ -1,0 +1,223 @@
+#include "bench/rivals_command.hpp"
+
+#include "bench/support/build_info.hpp"
+#include "bench/support/counted_heap.hpp"
+#include "bench/support/files.hpp"
+#include "bench/support/measure.hpp"
+#include "bench/support/summary.hpp"
+#include "bench/usage_error.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+namespace planetree::bench {
+
+namespace {
+
+constexpr const char* kStandardOutput = "-";
+
+/// `--quick`: enough to see whether everything works, and roughly what is fast.
+constexpr RayCounts kQuickRayCounts = {.pictureSize = 256, .randomCount = 65'536};
+constexpr std::size_t kQuickBruteForceTests = 40'000'000;
+
+void say(const std::string& line) {
+  fmt::print(stderr, "{}\n", line);
+}
+
+bool isNamed(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Whether a library takes part: nobody was named, or it was, alone or with one of its modes.
+bool takesPart(const Rival& rival, const std::vector<std::string>& names) {
+  if (names.empty())
+    return rival.joinsUnasked;
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return name == rival.name || name.starts_with(rival.name + ":");
+  });
+}
+
+std::string howToGet(const Rival& rival) {
+  return fmt::format(
+      "{} was not found when this was built. Run scripts/bench.sh, which installs it "
+      "and builds anew.",
+      rival.package);
+}
+
+EngineList selectEngines(const std::vector<std::string>& names) {
+  EngineList selected;
+  std::set<std::string> known;
+  for (const Rival& rival : rivals()) {
+    known.insert(rival.name);
+    if (!rival.engines) {
+      if (takesPart(rival, names) && names.empty())
+        say(fmt::format("{} is left out: {}", rival.name, howToGet(rival)));
+      else if (takesPart(rival, names))
+        throw std::runtime_error(fmt::format("{}: {}", rival.name, howToGet(rival)));
+      continue;
+    }
+    for (auto& engine : rival.engines()) {
+      const std::string full = rival.name + ":" + engine->mode();
+      known.insert(full);
+      const bool isWanted =
+          names.empty() ? rival.joinsUnasked : isNamed(names, rival.name) || isNamed(names, full);
+      if (isWanted)
+        selected.push_back(std::move(engine));
+    }
+  }
+  for (const std::string& name : names) {
+    if (!known.contains(name)) {
+      throw UsageError(fmt::format("--engines: there is no {}", name),
+                       fmt::format("Known are {}.", fmt::join(known, ", ")));
+    }
+  }
+  return selected;
+}
+
+std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
+  std::vector<RayKind> kinds;
+  for (const RayKind kind : kRayKinds) {
+    if (isNamed(names, std::string(rayKindName(kind))))
+      kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+/// Scenes are told apart by their names alone, in the JSON and in the tables.
+void checkNames(const std::vector<std::filesystem::path>& scenes) {
+  std::set<std::string> names;
+  for (const auto& scene : scenes) {
+    if (!names.insert(sceneName(scene)).second) {
+      throw UsageError(fmt::format("two scenes are called {}", sceneName(scene)),
+                       "Name one of them, or rename a file.");
+    }
+  }
+}
+
+void warnOfUnfitMachine() {
+  if (buildType() != "Release") {
+    say(fmt::format("This is a {} build: its figures mean nothing. Use the preset `release`.",
+                    buildType()));
+  }
+  // The load of this process itself, starting, is not half a thread yet.
+  if (loadAverage() > 0.5) {
+    say(
+        fmt::format("The machine is busy ({:.1f} threads were running): trust only the ratios, or "
+                    "end what else runs.",
+                    loadAverage()));
+  }
+}
+
+MeasureSettings settingsFor(const RivalsCommand& command, const std::string& measure) {
+  MeasureSettings settings;
+  // A ray is answered by one thread; a build uses what there is.
+  const unsigned unasked = measure == "rays" ? 1 : hardwareThreads();
+  settings.threadCount = command.threadCount > 0 ? command.threadCount : unasked;
+  settings.buildThreadCount = hardwareThreads();
+  settings.repetitions = command.repetitions;
+  settings.kinds = selectKinds(command.kinds);
+  if (command.isQuick) {
+    settings.counts = kQuickRayCounts;
+    settings.bruteForceTests = kQuickBruteForceTests;
+  }
+  settings.say = say;
+  return settings;
+}
+
+std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene& scene,
+                                 const EngineList& engines) {
+  std::vector<Result> results;
+  for (const std::string& measure : command.measures) {
+    MeasureSettings settings = settingsFor(command, measure);
+    settings.areAnswersChecked = !results.empty();
+    say(fmt::format("{}: {} triangles, measuring {} on {} {}", scene.name, scene.mesh.faces.size(),
+                    measure, settings.threadCount,
+                    settings.threadCount == 1 ? "thread" : "threads"));
+    const auto measured = measure == "build"    ? measureBuild(scene, engines, settings)
+                          : measure == "memory" ? measureMemory(scene, engines, settings)
+                                                : measureRays(scene, engines, settings);
+    results.insert(results.end(), measured.begin(), measured.end());
+  }
+  return results;
+}
+
+std::string tables(const std::vector<Result>& results) {
+  std::string text = fmt::format("{}; {}; commit {}\n", machine(), compiler(), commit());
+  for (const Summary& summary : summarise(results))
+    text += "\n" + toText(summary);
+  return text + "\n* without options. Nx: planetree's default is N times better than this one.\n";
+}
+
+}  // namespace
+
+CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
+  CLI::App* const rivals =
+      app.add_subcommand("rivals", "Measure planetree and other libraries side by side in one run");
+  rivals->add_option("scenes", command.scenes, "Models to measure with")
+      ->required()
+      ->type_name("SCENE");
+  rivals->add_option("--measure", command.measures, "What to measure: build, rays, memory")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"build", "rays", "memory"}))
+      ->capture_default_str();
+  rivals->add_option("--json", command.json, "File to write the results to; - is standard output")
+      ->type_name("FILE");
+  rivals->add_option("--kinds", command.kinds, "Kinds of rays")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"primary", "ao", "diffuse", "random"}))
+      ->capture_default_str();
+  rivals
+      ->add_option("--engines", command.engines,
+                   "Libraries, or single modes of them: planetree, embree3, cgal, "
+                   "embree3:high-robust, ... [all but cgal]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  rivals
+      ->add_option("--threads", command.threadCount,
+                   "Threads; 0 is 1 for rays, and all of the machine's for build and memory")
+      ->check(CLI::Range(0u, 1024u))
+      ->capture_default_str();
+  rivals
+      ->add_option("--repetitions", command.repetitions,
+                   "Rounds in which everything is measured once; the best counts")
+      ->check(CLI::Range(1u, 1000u))
+      ->capture_default_str();
+  rivals->add_flag("--quick", command.isQuick, "Fewer rays: a look, not a measurement");
+  return rivals;
+}
+
+int runRivalsCommand(const RivalsCommand& command) {
+  checkNames(command.scenes);
+  if (isNamed(command.measures, "memory") && !heapIsCounted())
+    throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");
+  const EngineList engines = selectEngines(command.engines);
+  const bool printsJson = command.json == kStandardOutput;
+  if (!command.json.empty() && !printsJson)
+    checkIsWritable(command.json);
+  warnOfUnfitMachine();
+
+  std::vector<Result> results;
+  for (const auto& file : command.scenes) {
+    const auto measured = measureScene(command, loadScene(file), engines);
+    results.insert(results.end(), measured.begin(), measured.end());
+    // After each scene: what was measured stays if a later one fails.
+    if (!command.json.empty() && !printsJson)
+      writeWholeFile(command.json, toJson(results));
+  }
+  if (printsJson)
+    fmt::print("{}", toJson(results));
+  fmt::print(printsJson ? stderr : stdout, "{}", tables(results));
+  return kDone;
+}
+
+}  // namespace planetree::bench

@@ -1,0 +1,186 @@
+#include "bench/support/measure.hpp"
+
+#include "bench/support/build_info.hpp"
+#include "bench/support/counted_heap.hpp"
+#include "bench/support/interleaved.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace planetree::bench {
+
+namespace {
+
+using Structures = std::vector<std::unique_ptr<Structure>>;
+
+constexpr std::size_t kFewestSampleRays = 16;
+constexpr std::size_t kMostSampleRays = 1000;
+constexpr unsigned kMemoryRounds = 2;
+
+/// For measurements that trace no rays: enough to tell a wrong structure.
+constexpr RayCounts kCheckedRayCounts = {.pictureSize = 256, .randomCount = 65'536};
+
+std::size_t sampleSize(const BenchScene& scene, const MeasureSettings& settings) {
+  return std::clamp(settings.bruteForceTests / std::max<std::size_t>(scene.mesh.faces.size(), 1),
+                    kFewestSampleRays, kMostSampleRays);
+}
+
+Structures buildAll(const BenchScene& scene, const EngineList& engines, unsigned threadCount) {
+  Structures structures;
+  for (const auto& engine : engines)
+    structures.push_back(engine->build(scene.mesh, threadCount));
+  return structures;
+}
+
+std::string describe(const CheckedPair& pair) {
+  const Disagreement& found = pair.disagreement;
+  return fmt::format(
+      "{} {} against {}, of {} rays: {} missed, {} invented, {} at another distance, "
+      "{} of another face at the same distance{}",
+      pair.engine, pair.mode, pair.reference, found.rayCount, found.missed, found.invented,
+      found.otherDistance, found.otherId, pair.isAcceptable ? "" : ": WRONG");
+}
+
+bool isWorthTelling(const CheckedPair& pair) {
+  return !pair.isAcceptable || pair.disagreement.wrong() > 0 || pair.disagreement.otherId > 0;
+}
+
+/// All engines answer all rays, which also warms them up.
+std::vector<CheckedAnswers> allAnswers(const EngineList& engines, const Structures& structures,
+                                       const RaySet& set, unsigned threadCount) {
+  std::vector<CheckedAnswers> all;
+  for (std::size_t i = 0; i < engines.size(); ++i) {
+    CheckedAnswers checked{engines[i]->name(), engines[i]->mode(), engines[i]->isExact(),
+                           roomForAnswers(set)};
+    takeAnswers(*structures[i], set, threadCount, checked.answers);
+    all.push_back(std::move(checked));
+  }
+  return all;
+}
+
+void check(const BenchScene& scene, const RaySet& set, const std::vector<CheckedAnswers>& all,
+           const MeasureSettings& settings) {
+  const auto pairs = checkAnswers(scene.mesh, set, all, scene.diagonal, sampleSize(scene, settings),
+                                  hardwareThreads());
+  bool areAcceptable = true;
+  for (const CheckedPair& pair : pairs) {
+    areAcceptable = areAcceptable && pair.isAcceptable;
+    if (isWorthTelling(pair))
+      settings.say(fmt::format("{} {}: {}", scene.name, rayKindName(set.kind), describe(pair)));
+  }
+  if (!areAcceptable) {
+    throw WrongAnswers(fmt::format(
+        "{}: an engine gives wrong answers to {} rays, see above. Mend it, or leave it out with "
+        "--engines.",
+        scene.name, rayKindName(set.kind)));
+  }
+}
+
+void checkAll(const BenchScene& scene, const EngineList& engines, const MeasureSettings& settings) {
+  if (settings.areAnswersChecked)
+    return;
+  const Structures structures = buildAll(scene, engines, settings.threadCount);
+  for (const RaySet& set : makeRaySets(scene.mesh, scene.camera, settings.kinds, kCheckedRayCounts))
+    check(scene, set, allAnswers(engines, structures, set, hardwareThreads()), settings);
+}
+
+Result resultOf(const BenchScene& scene, const Engine& engine, std::string_view measure,
+                std::string_view kind, unsigned threadCount, double value) {
+  return {.scene = scene.name,
+          .measure = std::string(measure),
+          .kind = std::string(kind),
+          .engine = engine.name(),
+          .mode = engine.mode(),
+          .threadCount = threadCount,
+          .value = value,
+          .isDefault = engine.isDefault(),
+          .commit = commit(),
+          .compiler = compiler()};
+}
+
+/// A ray through the middle of the scene, to be traced as the end of a build.
+Rayf firstRay(const BenchScene& scene) {
+  const Vec3d eye(scene.camera.eye);
+  return {.origin = scene.camera.eye, .direction = Vec3f(normalized(Vec3d(scene.camera.at) - eye))};
+}
+
+double buildSeconds(const BenchScene& scene, const Engine& engine, unsigned threadCount) {
+  const Rayf ray = firstRay(scene);
+  std::unique_ptr<Structure> structure;  // outlives the clock: giving it back is not building
+  return secondsOf([&] {
+    structure = engine.build(scene.mesh, threadCount);
+    Hitf hit;
+    structure->findIntersections(std::span(&ray, 1), std::span(&hit, 1));
+  });
+}
+
+double heldBytes(const BenchScene& scene, const Engine& engine, unsigned threadCount) {
+  const HeapCount count;
+  const auto structure = engine.build(scene.mesh, threadCount);
+  auto bytes = static_cast<double>(count.bytes());
+  if (engine.queriesReadMesh()) {
+    bytes += static_cast<double>(scene.mesh.positions.size() * sizeof(Vec3f) +
+                                 scene.mesh.faces.size() * sizeof(FaceIndices));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::vector<Result> measureRays(const BenchScene& scene, const EngineList& engines,
+                                const MeasureSettings& settings) {
+  const Structures structures = buildAll(scene, engines, settings.buildThreadCount);
+  std::vector<Result> results;
+  for (const RaySet& set : makeRaySets(scene.mesh, scene.camera, settings.kinds, settings.counts)) {
+    if (set.rays.empty()) {
+      settings.say(fmt::format("{}: there are no {} rays, since no primary ray hits", scene.name,
+                               rayKindName(set.kind)));
+      continue;
+    }
+    auto all = allAnswers(engines, structures, set, settings.threadCount);
+    check(scene, set, all, settings);
+    const auto seconds = bestOfRounds(engines.size(), settings.repetitions, [&](std::size_t i) {
+      return secondsOf(
+          [&] { takeAnswers(*structures[i], set, settings.threadCount, all[i].answers); });
+    });
+    for (std::size_t i = 0; i < engines.size(); ++i) {
+      const double millionRays = static_cast<double>(set.rays.size()) / 1e6;
+      results.push_back(resultOf(scene, *engines[i], kMraysPerSecond, rayKindName(set.kind),
+                                 settings.threadCount, millionRays / seconds[i]));
+    }
+  }
+  return results;
+}
+
+std::vector<Result> measureBuild(const BenchScene& scene, const EngineList& engines,
+                                 const MeasureSettings& settings) {
+  checkAll(scene, engines, settings);
+  const auto seconds = bestOfRounds(engines.size(), settings.repetitions, [&](std::size_t i) {
+    return buildSeconds(scene, *engines[i], settings.threadCount);
+  });
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < engines.size(); ++i)
+    results.push_back(
+        resultOf(scene, *engines[i], kBuildSeconds, "", settings.threadCount, seconds[i]));
+  return results;
+}
+
+std::vector<Result> measureMemory(const BenchScene& scene, const EngineList& engines,
+                                  const MeasureSettings& settings) {
+  if (!heapIsCounted())
+    throw std::logic_error("this build does not count memory. Build without sanitizers.");
+  checkAll(scene, engines, settings);
+  const auto bytes = bestOfRounds(engines.size(), kMemoryRounds, [&](std::size_t i) {
+    return heldBytes(scene, *engines[i], settings.threadCount);
+  });
+  const auto triangles = static_cast<double>(scene.mesh.faces.size());
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < engines.size(); ++i)
+    results.push_back(resultOf(scene, *engines[i], kBytesPerTriangle, "", settings.threadCount,
+                               bytes[i] / triangles));
+  return results;
+}
+
+}  // namespace planetree::bench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace planetree::bench {
+
+// The values of `Result::measure`.
+inline constexpr std::string_view kBuildSeconds = "build_seconds";
+inline constexpr std::string_view kBytesPerTriangle = "bytes_per_triangle";
+inline constexpr std::string_view kMraysPerSecond = "mrays_per_second";
+
+/// One cell of the benchmark, as it stands in the JSON.
+struct Result {
+  std::string scene;    ///< name of the file without folder and extension
+  std::string measure;  ///< one of the three above
+  std::string kind;     ///< of rays; empty where no rays are measured
+  std::string engine;   ///< "planetree", "embree3", "cgal"
+  std::string mode;     ///< "balanced-watertight", "high-robust"
+  unsigned threadCount = 1;
+  double value = 0.0;
+  bool isDefault = false;  ///< what a user of the library gets without options
+  std::string commit;      ///< of planetree
+  std::string compiler;
+
+  friend bool operator==(const Result&, const Result&) = default;
+};
+
+/// Whether more is better; otherwise less is.
+[[nodiscard]] inline bool moreIsBetter(std::string_view measure) {
+  return measure == kMraysPerSecond;
+}
+
+/// A JSON array of objects with the keys scene, measure, kind, engine, mode, threads, value,
+/// default, commit and compiler, one object to a line.
+[[nodiscard]] std::string toJson(const std::vector<Result>& results);
+
+/// Throws `Error` with `MalformedFile`, naming `file`, for anything that `toJson` would not write.
+[[nodiscard]] std::vector<Result> resultsFromJson(const std::string& json, const std::string& file);
+
+}  // namespace planetree::bench

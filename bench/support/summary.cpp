@@ -1,0 +1,167 @@
+#include "bench/support/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace planetree::bench {
+
+namespace {
+
+/// The place of the first element with a property; it is appended if there is none.
+template <class T, class Property>
+std::size_t placeOf(std::vector<T>& all, const Property& property, T otherwise) {
+  const auto found = std::find_if(all.begin(), all.end(), property);
+  if (found != all.end())
+    return static_cast<std::size_t>(found - all.begin());
+  all.push_back(std::move(otherwise));
+  return all.size() - 1;
+}
+
+Summary& summaryOf(std::vector<Summary>& summaries, const Result& result) {
+  Summary fresh;
+  fresh.measure = result.measure;
+  fresh.threadCount = result.threadCount;
+  const auto isSame = [&](const Summary& summary) {
+    return summary.measure == result.measure && summary.threadCount == result.threadCount;
+  };
+  return summaries[placeOf(summaries, isSame, std::move(fresh))];
+}
+
+void place(const Result& result, Summary& summary) {
+  const std::size_t column = placeOf(
+      summary.columns,
+      [&](const Summary::Column& other) {
+        return other.engine == result.engine && other.mode == result.mode;
+      },
+      Summary::Column{result.engine, result.mode, result.isDefault});
+  const std::size_t row = placeOf(
+      summary.rows,
+      [&](const Summary::Row& other) {
+        return other.scene == result.scene && other.kind == result.kind;
+      },
+      Summary::Row{result.scene, result.kind, {}, {}});
+  auto& values = summary.rows[row].values;
+  values.resize(std::max(values.size(), column + 1));
+  values[column] = result.value;
+}
+
+void findReference(Summary& summary) {
+  for (std::size_t i = 0; i < summary.columns.size() && !summary.reference; ++i) {
+    if (summary.columns[i].engine == "planetree" && summary.columns[i].isDefault)
+      summary.reference = i;
+  }
+}
+
+std::optional<double> ratioOf(const Summary& summary, const Summary::Row& row, std::size_t column) {
+  if (!summary.reference || !row.values[*summary.reference] || !row.values[column])
+    return std::nullopt;
+  const double ours = *row.values[*summary.reference];
+  const double theirs = *row.values[column];
+  return moreIsBetter(summary.measure) ? ours / theirs : theirs / ours;
+}
+
+std::optional<double> geometricMean(const Summary& summary, std::size_t column) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Summary::Row& row : summary.rows) {
+    if (!row.ratios[column])
+      continue;
+    sum += std::log(*row.ratios[column]);
+    ++count;
+  }
+  if (count == 0)
+    return std::nullopt;
+  return std::exp(sum / static_cast<double>(count));
+}
+
+void finish(Summary& summary) {
+  findReference(summary);
+  for (Summary::Row& row : summary.rows) {
+    row.values.resize(summary.columns.size());
+    for (std::size_t i = 0; i < summary.columns.size(); ++i)
+      row.ratios.push_back(ratioOf(summary, row, i));
+  }
+  for (std::size_t i = 0; i < summary.columns.size(); ++i)
+    summary.meanRatios.push_back(geometricMean(summary, i));
+}
+
+std::string cellText(const Summary& summary, const Summary::Row& row, std::size_t column) {
+  if (!row.values[column])
+    return "-";
+  const std::string value = valueText(*row.values[column]);
+  if (!row.ratios[column] || column == summary.reference)
+    return value;
+  return fmt::format("{} {:>6}", value, ratioText(*row.ratios[column]));
+}
+
+}  // namespace
+
+std::vector<Summary> summarise(const std::vector<Result>& results) {
+  std::vector<Summary> summaries;
+  for (const Result& result : results)
+    place(result, summaryOf(summaries, result));
+  for (Summary& summary : summaries)
+    finish(summary);
+  return summaries;
+}
+
+std::string measureTitle(const std::string& measure) {
+  if (measure == kMraysPerSecond)
+    return "million rays per second, more is better";
+  if (measure == kBuildSeconds)
+    return "seconds to build, less is better";
+  if (measure == kBytesPerTriangle)
+    return "bytes per triangle, less is better";
+  return measure;
+}
+
+std::string valueText(double value) {
+  if (value == 0.0 || !std::isfinite(value))
+    return fmt::format("{}", value);
+  const int digitsBefore = static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
+  return fmt::format("{:.{}f}", value, std::max(0, 3 - digitsBefore));
+}
+
+std::string ratioText(double ratio) {
+  return valueText(ratio) + "x";
+}
+
+std::string toText(const Summary& summary) {
+  // A column is as wide as its longest text: names above, cells below.
+  std::vector<std::vector<std::string>> lines(2, {"", ""});
+  for (const Summary::Column& column : summary.columns) {
+    lines[0].push_back(column.engine);
+    lines[1].push_back(column.mode + (column.isDefault ? "*" : ""));
+  }
+  for (const Summary::Row& row : summary.rows) {
+    lines.push_back({row.scene, row.kind});
+    for (std::size_t i = 0; i < summary.columns.size(); ++i)
+      lines.back().push_back(cellText(summary, row, i));
+  }
+  if (summary.reference) {
+    lines.push_back({"geometric mean", ""});
+    for (const std::optional<double>& mean : summary.meanRatios)
+      lines.back().push_back(mean ? ratioText(*mean) : "-");
+  }
+
+  std::vector<std::size_t> widths(summary.columns.size() + 2, 0);
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+      widths[i] = std::max(widths[i], line[i].size());
+  }
+  std::string text = fmt::format("{}; {} {}\n", measureTitle(summary.measure), summary.threadCount,
+                                 summary.threadCount == 1 ? "thread" : "threads");
+  for (const auto& line : lines) {
+    fmt::format_to(std::back_inserter(text), "{:<{}}  {:<{}}", line[0], widths[0], line[1],
+                   widths[1]);
+    for (std::size_t i = 2; i < line.size(); ++i)
+      fmt::format_to(std::back_inserter(text), "  {:>{}}", line[i], widths[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace planetree::bench

@@ -1,0 +1,119 @@
+#include "bench/support/result.hpp"
+#include "tests/cli/tool_run.hpp"
+
+#include "bench/scene/write_ply.hpp"
+#include "bench_meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace planetree::bench {
+namespace {
+
+/// planetree-bench from the outside.
+class BenchCommand : public test::ToolTest {
+ protected:
+  BenchCommand() { writeFile("waves.ply", plyBytes(test::waves())); }
+
+  [[nodiscard]] test::ToolResult rivals(std::vector<std::string> arguments) const {
+    std::vector<std::string> all = {"rivals",    "--quick",       "--engines",
+                                    "planetree", "--repetitions", "1"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run(all);
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(BenchCommand, RivalsPrintsTheTableAndWritesTheJson) {
+  const auto result =
+      rivals({"--measure", "rays,build", "--kinds", "primary,ao", "--json", "b.json", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "million rays per second"));
+  EXPECT_TRUE(contains(result.out, "seconds to build"));
+  EXPECT_TRUE(contains(result.out, "geometric mean"));
+  const auto results = resultsFromJson(readFile("b.json"), "b.json");
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_EQ(results[0].scene, "waves");
+  EXPECT_EQ(results[0].kind, "primary");
+  EXPECT_EQ(results[1].kind, "ao");
+  EXPECT_EQ(results[2].measure, "build_seconds");
+  EXPECT_EQ(filesInFolder(), (std::vector<std::string>{"b.json", "waves.ply"}));
+}
+
+TEST_F(BenchCommand, RivalsPrintsJsonAloneOnStandardOutput) {
+  const auto result = rivals({"--kinds", "random", "--json", "-", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(resultsFromJson(result.out, "out").size(), 1u);
+  EXPECT_TRUE(contains(result.err, "million rays per second"));
+}
+
+TEST_F(BenchCommand, RivalsTakesThreadsAndSingleModes) {
+  const auto result =
+      run({"rivals", "--quick", "--engines", "planetree:balanced-watertight", "--kinds", "random",
+           "--threads", "2", "--repetitions", "1", "--json", "-", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(resultsFromJson(result.out, "out").at(0).threadCount, 2u);
+}
+
+TEST_F(BenchCommand, WrongUsageEndsWithTwoAndAdvice) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"rivals"},
+      {"rivals", "--measure", "beauty", "waves.ply"},
+      {"rivals", "--kinds", "xray", "waves.ply"},
+      {"rivals", "--engines", "nobody", "waves.ply"},
+      {"rivals", "--engines", "planetree:nothing", "waves.ply"},
+      {"rivals", "--repetitions", "0", "waves.ply"},
+      {"rivals", "waves.ply", "waves.ply"},
+      {"scene", "moon", "-o", "moon.ply"},
+      {"scene", "terrain"},
+      {"nonsense"}};
+  for (const auto& arguments : wrong) {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.status, 2) << testing::PrintToString(arguments) << result.err;
+    EXPECT_TRUE(contains(result.err, "planetree-bench: ")) << result.err;
+    EXPECT_EQ(result.out, "");
+  }
+}
+
+TEST_F(BenchCommand, FailuresEndWithOneAndLeaveNothing) {
+  writeFile("empty.obj", "v 0 0 0\n");
+  EXPECT_EQ(rivals({"missing.ply"}).status, 1);
+  EXPECT_EQ(rivals({"empty.obj"}).status, 1);
+  EXPECT_EQ(rivals({"--json", "no/such/folder.json", "waves.ply"}).status, 1);
+  EXPECT_EQ(run({"scene", "interior", "-o", "no/such/folder.ply"}).status, 1);
+  EXPECT_EQ(filesInFolder(), (std::vector<std::string>{"empty.obj", "waves.ply"}));
+}
+
+TEST_F(BenchCommand, ReportRenewsThePageAndKeepsWhatIsWrittenByHand) {
+  writeFile("page.md", "by hand\n<!-- figures: begin -->\n<!-- figures: end -->\nalso by hand\n");
+  ASSERT_EQ(rivals({"--kinds", "random", "--json", "b.json", "waves.ply"}).status, 0);
+  const auto result =
+      run({"report", "b.json", "--page", "page.md", "--plots", ".", "--machine", "a computer"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const std::string page = readFile("page.md");
+  EXPECT_TRUE(page.starts_with("by hand\n"));
+  EXPECT_TRUE(page.ends_with("also by hand\n"));
+  EXPECT_TRUE(contains(page, "Machine: a computer."));
+  EXPECT_TRUE(contains(page, "](./mrays_per_second-random-1.svg)"));
+  EXPECT_TRUE(contains(readFile("mrays_per_second-random-1.svg"), "</svg>"));
+}
+
+TEST_F(BenchCommand, ReportRefusesWhatIsNoResult) {
+  writeFile("page.md", "no marks");
+  writeFile("b.json", "[]");
+  writeFile("bad.json", "{");
+  EXPECT_EQ(run({"report", "b.json", "--page", "page.md", "--plots", "."}).status, 1);
+  EXPECT_EQ(run({"report", "bad.json", "--page", "page.md", "--plots", "."}).status, 1);
+  EXPECT_EQ(run({"report", "none.json", "--page", "page.md", "--plots", "."}).status, 1);
+  EXPECT_EQ(readFile("page.md"), "no marks");
+}
+
+}  // namespace
+}  // namespace planetree::bench

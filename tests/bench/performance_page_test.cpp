@@ -1,0 +1,116 @@
+#include "bench/report/performance_page.hpp"
+
+#include "bench/report/bar_chart.hpp"
+
+#include <planetree/error.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace planetree::bench {
+namespace {
+
+std::vector<Result> someResults() {
+  std::vector<Result> results;
+  const auto add = [&](const char* measure, const char* kind, const char* engine, const char* mode,
+                       double value) {
+    results.push_back({"a<b|c", measure, kind, engine, mode, 1, value, true, "abc123", "g++ 1.2"});
+  };
+  for (const char* kind : {"primary", "ao"}) {
+    add("mrays_per_second", kind, "planetree", "balanced-watertight", 6.0);
+    add("mrays_per_second", kind, "embree3", "medium", 3.0);
+    add("mrays_per_second", kind, "embree3", "high", 4.0);
+    add("mrays_per_second", kind, "embree3", "high-robust", 2.0);
+  }
+  add("build_seconds", "", "planetree", "balanced-watertight", 0.5);
+  add("build_seconds", "", "embree3", "high", 0.25);
+  return results;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+TEST(PerformanceFigures, NameMachineCompilerAndCommit) {
+  const auto figures = performanceFigures(someResults(), "a machine", "plots");
+  EXPECT_TRUE(contains(figures.markdown, "Machine: a machine. Compiler: g++ 1.2. Commit: abc123."));
+}
+
+TEST(PerformanceFigures, HaveATableForEachMeasureWithRatiosAndMeans) {
+  const std::string text = performanceFigures(someResults(), "", "plots").markdown;
+  EXPECT_TRUE(contains(text, "### Million rays per second, more is better (1 thread)"));
+  EXPECT_TRUE(contains(text, "### Seconds to build, less is better (1 thread)"));
+  EXPECT_TRUE(contains(text, "| a<b\\|c | primary | **6.00** | 3.00 (2.00x) | 4.00 (1.50x) |"));
+  EXPECT_TRUE(contains(text, "| geometric mean | | 1.00x | 2.00x | 1.50x | 3.00x |")) << text;
+  EXPECT_TRUE(contains(text, "| a<b\\|c | **0.500** | 0.250 (0.500x) |")) << text;
+}
+
+TEST(PerformanceFigures, ShowEveryPlotThatIsWritten) {
+  const auto figures = performanceFigures(someResults(), "", "some/plots");
+  ASSERT_EQ(figures.plots.size(), 3u);
+  for (const Plot& plot : figures.plots)
+    EXPECT_TRUE(contains(figures.markdown, "](some/plots/" + plot.name + ")")) << plot.name;
+}
+
+TEST(PerformanceFigures, PlotTheBestQualityOfARivalOnceForEachVariant) {
+  const Plot plot = performanceFigures(someResults(), "", "plots").plots.front();
+  EXPECT_TRUE(contains(plot.svg, ">embree3, best<"));
+  EXPECT_TRUE(contains(plot.svg, ">embree3-robust, best<"));
+  EXPECT_TRUE(contains(plot.svg, ">4.00<"));
+  EXPECT_FALSE(contains(plot.svg, ">3.00<"));
+}
+
+TEST(WithFigures, ReplacesOnlyWhatIsBetweenTheMarks) {
+  const std::string page = "before\n<!-- figures: begin -->\nold\n<!-- figures: end -->\nafter\n";
+  const std::string once = withFigures(page, "new\n", "page.md");
+  EXPECT_EQ(once, "before\n<!-- figures: begin -->\n\nnew\n\n<!-- figures: end -->\nafter\n");
+  EXPECT_EQ(withFigures(once, "new\n", "page.md"), once);
+}
+
+TEST(WithFigures, RefusesAPageWithoutMarks) {
+  for (const char* page : {"", "<!-- figures: begin -->", "<!-- figures: end -->",
+                           "<!-- figures: end --><!-- figures: begin -->"}) {
+    try {
+      (void)withFigures(page, "new", "page.md");
+      ADD_FAILURE() << "accepted " << page;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.file(), "page.md");
+    }
+  }
+}
+
+TEST(BarChart, IsWellFormedWhateverTheNames) {
+  const BarChart chart = {.title = "a < b & c",
+                          .series = {"one", "<two>"},
+                          .groups = {{"g&h", {1.0, std::nullopt}}, {"zero", {0.0, 0.0}}}};
+  const std::string svg = toSvg(chart);
+  EXPECT_TRUE(svg.starts_with("<svg "));
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_TRUE(contains(svg, "a &lt; b &amp; c"));
+  EXPECT_TRUE(contains(svg, "&lt;two&gt;"));
+  EXPECT_EQ(occurrences(svg, "<text"), occurrences(svg, "</text>"));
+  // Background, two keys, and three bars: what is unknown has none.
+  EXPECT_EQ(occurrences(svg, "<rect"), 6u);
+  EXPECT_FALSE(contains(svg, "nan"));
+}
+
+TEST(BarChart, LongestBarIsThatOfTheGroupOrOfAll) {
+  BarChart chart = {.title = "", .series = {"s"}, .groups = {{"a", {1.0}}, {"b", {10.0}}}};
+  EXPECT_EQ(occurrences(toSvg(chart), "width=\"500.0\""), 1u);
+  EXPECT_EQ(occurrences(toSvg(chart), "width=\"50.0\""), 1u);
+  chart.scalesEachGroup = true;
+  EXPECT_EQ(occurrences(toSvg(chart), "width=\"500.0\""), 2u);
+}
+
+}  // namespace
+}  // namespace planetree::bench
