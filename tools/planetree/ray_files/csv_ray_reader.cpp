@@ -46,10 +46,15 @@ std::size_t countFields(std::string_view line) noexcept {
   return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
 }
 
+/// Looks between other separators too: a line of numbers that are not separated by commas is a
+/// mistake to be told, not a header.
 bool hasNumber(std::string_view line) noexcept {
+  constexpr std::string_view kSeparators = ",; \t";
   while (!line.empty()) {
-    if (detail::parseNumber<double>(takeField(line)))
+    const std::string_view word = line.substr(0, line.find_first_of(kSeparators));
+    if (detail::parseNumber<double>(word))
       return true;
+    line.remove_prefix(std::min(line.size(), word.size() + 1));
   }
   return false;
 }

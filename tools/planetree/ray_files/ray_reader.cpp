@@ -6,9 +6,24 @@
 
 #include <planetree/error.hpp>
 
+#include "support/text_lines.hpp"
+
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace planetree::tool {
+
+namespace {
+
+bool isText(std::string_view bytes) noexcept {
+  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
+    const bool isControl = static_cast<unsigned char>(c) < ' ';
+    return isControl && !detail::isBlank(c) && c != '\n';
+  });
+}
+
+}  // namespace
 
 std::unique_ptr<RayReader> openRays(const std::filesystem::path& path) {
   ByteSource source(path);
@@ -20,6 +35,11 @@ std::unique_ptr<RayReader> openRays(const std::filesystem::path& path) {
   }
   if (start == kNpyMagic)
     return std::make_unique<NpyRayReader>(std::move(source));
+  if (!isText(start)) {
+    throw Error(ErrorCode::UnknownFormat, "is neither CSV nor .npy",
+                "Save the rays with numpy.save, or with numpy.savetxt and delimiter=','.",
+                {.file = source.name()});
+  }
   return std::make_unique<CsvRayReader>(std::move(source));
 }
 
