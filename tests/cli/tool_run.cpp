@@ -25,8 +25,8 @@ std::string contentOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void redirect(int stream, const std::string& path) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+void redirect(int stream, const std::string& path, int flags) {
+  const int file = ::open(path.c_str(), flags, 0600);
   if (file < 0 || ::dup2(file, stream) < 0)
     ::_exit(126);
 }
@@ -34,8 +34,11 @@ void redirect(int stream, const std::string& path) {
 /// In the new process, where only calls that are safe after fork may be made.
 [[noreturn]] void becomeTool(const fs::path& folder, const ToolStart& start, const std::string& out,
                              const std::string& err, std::vector<char*>& arguments) {
-  redirect(STDOUT_FILENO, out);
-  redirect(STDERR_FILENO, err);
+  constexpr int kWriting = O_WRONLY | O_CREAT;
+  redirect(STDOUT_FILENO, out, kWriting | (start.appendsOutput ? O_APPEND : O_TRUNC));
+  redirect(STDERR_FILENO, err, kWriting | O_TRUNC);
+  if (!start.standardInput.empty())
+    redirect(STDIN_FILENO, start.standardInput, O_RDONLY);
   if (::chdir(folder.c_str()) != 0)
     ::_exit(126);
   if (start.largestFile) {
@@ -88,10 +91,12 @@ void ToolProcess::signal(int number) const {
 
 ToolResult ToolProcess::wait() {
   int status = 0;
-  ::waitpid(std::exchange(pid_, -1), &status, 0);
+  rusage usage = {};
+  ::wait4(std::exchange(pid_, -1), &status, 0, &usage);
   return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           .out = contentOf(out_),
-          .err = contentOf(err_)};
+          .err = contentOf(err_),
+          .peakBytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
 }
 
 std::string ToolProcess::errSoFar() const {

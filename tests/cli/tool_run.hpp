@@ -17,6 +17,7 @@ struct ToolResult {
   int status = -1;  ///< exit status; -1 if a signal killed it
   std::string out;
   std::string err;
+  std::uint64_t peakBytes = 0;  ///< the most memory that it held at once
 };
 
 /// How to start the tool.
@@ -25,6 +26,8 @@ struct ToolStart {
   std::optional<std::uint64_t> largestFile = {};  ///< bytes, as on a disk that is nearly full
   std::string standardOutput = {};                ///< a file to use in place of the captured one
   std::string standardError = {};                 ///< likewise
+  std::string standardInput = {};                 ///< a file to read in place of the test's own
+  bool appendsOutput = false;  ///< standard output is opened as by the shell's >>
 };
 
 /// A running tool; `wait` ends it.

@@ -113,7 +113,7 @@ void checkOutputTakes(TableFormat format, const TraceCommand& command, const Ray
   if (!rays.rayCount() && !canOverwriteStart(command.hits)) {
     throw UsageError(
         "--format npy: such a table begins with its length, which CSV rays do not tell beforehand, "
-        "and one cannot go back to the start of a pipe",
+        "and a pipe has no way back to its start",
         "Write to a file with -o hits.npy, give .npy rays, or give --format csv.");
   }
 }
