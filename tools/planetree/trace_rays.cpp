@@ -77,25 +77,24 @@ class Tracing {
       : tree_(tree), rays_(rays), hits_(hits), settings_(settings) {}
 
   TraceReport run(std::size_t mostBlocks) {
-    beginTable();
     using tbb::filter_mode;
-    tbb::parallel_pipeline(
-        mostBlocks,
-        tbb::make_filter<void, ParcelPointer>(filter_mode::serial_in_order,
-                                              [this](tbb::flow_control& control) {
-                                                ParcelPointer parcel = read();
-                                                if (!parcel)
-                                                  control.stop();
-                                                return parcel;
-                                              }) &
-            tbb::make_filter<ParcelPointer, ParcelPointer>(filter_mode::parallel,
-                                                           [this](ParcelPointer parcel) {
-                                                             trace(*parcel);
-                                                             return parcel;
-                                                           }) &
-            tbb::make_filter<ParcelPointer, void>(
-                filter_mode::serial_in_order,
-                [this](const ParcelPointer& parcel) { write(*parcel); }));
+    const auto reading = tbb::make_filter<void, ParcelPointer>(filter_mode::serial_in_order,
+                                                               [this](tbb::flow_control& control) {
+                                                                 ParcelPointer parcel = read();
+                                                                 if (!parcel)
+                                                                   control.stop();
+                                                                 return parcel;
+                                                               });
+    const auto tracing = tbb::make_filter<ParcelPointer, ParcelPointer>(
+        filter_mode::parallel, [this](ParcelPointer parcel) {
+          trace(*parcel);
+          return parcel;
+        });
+    const auto writing = tbb::make_filter<ParcelPointer, void>(
+        filter_mode::serial_in_order, [this](const ParcelPointer& parcel) { write(*parcel); });
+
+    beginTable();
+    tbb::parallel_pipeline(mostBlocks, reading & tracing & writing);
     if (!settings_.keepsGoing())
       report_.isInterrupted = true;
     if (!report_.isInterrupted)
