@@ -32,7 +32,8 @@ else()
   readme_block(lines cmake "find_package")
   if(way STREQUAL "installed_shared")
     configure_and_build(${planetree} ${work}/planetree -D BUILD_SHARED_LIBS=ON
-      -D PLANETREE_BUILD_TOOL=OFF -D PLANETREE_BUILD_TESTS=OFF -D PLANETREE_BUILD_EXAMPLES=OFF)
+      -D PLANETREE_BUILD_TOOL=OFF -D PLANETREE_BUILD_TESTS=OFF -D PLANETREE_BUILD_EXAMPLES=OFF
+      -D PLANETREE_BUILD_BENCHMARKS=OFF)
     install_and_move(${work}/planetree)
   else()
     install_and_move(${planetree_build})

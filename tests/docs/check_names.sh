@@ -32,24 +32,26 @@ check_scripts_and_presets() {
              sort -u)
 }
 
-# Each option stands in docs/building.md, in the words of CMakeLists.txt.
+# Each option stands in docs/building.md, in the words of CMakeLists.txt and with its default.
 check_build_options() {
   local row
   while read -r row; do
     grep -qF "$row" docs/building.md || fail "docs/building.md lacks the row $row"
-  done < <(sed -nE -e 's/^option\((\w+) "([^"]+)".*/| `\1` | \2 |/p' \
-                   -e 's/^set\((\w+) .* CACHE STRING "([^"]+)".*/| `\1` | \2 |/p' CMakeLists.txt |
-             grep PLANETREE_)
+  done < <(sed -nE -e 's/^option\((PLANETREE_\w+) "([^"]+)" (.+)\)$/| `\1` | \2 | \3 |/p' \
+                   -e 's/^set\((PLANETREE_\w+) "" CACHE STRING "([^"]+)"\)$/| `\1` | \2 | none |/p' \
+                   CMakeLists.txt |
+             sed -e 's/| ON |$/| on |/; s/| OFF |$/| off |/' \
+                 -e 's/| ${PROJECT_IS_TOP_LEVEL} |$/| on, off inside another project |/')
 }
 
 check_packages() {
   local purpose package
-  for purpose in build demo bench scenes ci; do
+  while read -r purpose; do
     for package in $(packages_for "$purpose"); do
       grep -qF "\`$package\`" docs/dependencies.md ||
         fail "docs/dependencies.md does not say what $package is for"
     done
-  done
+  done < <(sed -nE 's/^ +([a-z]+)\) echo .*/\1/p' scripts/packages.sh)
 }
 
 check_links
