@@ -26,7 +26,7 @@ EngineList allEngines() {
 
 std::vector<RaySet> raysOf(const BenchScene& scene) {
   return makeRaySets(scene.mesh, scene.camera, {kRayKinds.begin(), kRayKinds.end()},
-                     {.pictureSize = 64, .randomCount = 4000});
+                     {.pictureSize = 32, .randomCount = 1000});
 }
 
 TEST(Rivals, PlanetreeIsFirstAndAlwaysThere) {
