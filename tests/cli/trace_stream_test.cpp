@@ -196,6 +196,16 @@ TEST_F(TraceStream, AStreamThatEndsEarlyIsAFailure) {
   EXPECT_EQ(filesInFolder(), (std::vector<std::string>{"rays.csv", "roof.obj"}));
 }
 
+TEST_F(TraceStream, AFaultIsToldWhileTheRaysGoOn) {
+  for (const char* threads : {"1", "4"}) {
+    ToolProcess tool(folder(), {.arguments = {"trace", "roof.obj", "-", "-q", "--threads", threads},
+                                .standardInput = pipe("in").string()});
+    const PipeEnd rays(pipe("in"), O_WRONLY);
+    rays.write("1,2,3,4,5,6\n1,2,3,4,5,six\n");
+    expectFailed(tool.wait(), "standard input:2: column 6");
+  }
+}
+
 TEST_F(TraceStream, AReaderThatLeavesIsAFailureAndNotASignal) {
   writeFile("rays.npy", npyOf(randomRays<float>(42, 100'000)));
   ToolProcess tool(folder(), {.arguments = {"trace", "roof.obj", "rays.npy", "-q"},

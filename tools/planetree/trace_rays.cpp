@@ -7,10 +7,13 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -95,6 +98,8 @@ class Tracing {
 
     beginTable();
     tbb::parallel_pipeline(mostBlocks, reading & tracing & writing);
+    if (fault_)
+      std::rethrow_exception(fault_);
     if (!settings_.keepsGoing())
       report_.isInterrupted = true;
     if (!report_.isInterrupted)
@@ -120,21 +125,25 @@ class Tracing {
     hits_.overwriteStart(std::as_bytes(std::span(header)));
   }
 
-  /// The next block; nothing at the end.
+  // No stage throws: oneTBB would forget the blocks on their way without freeing them.
+
+  /// The next block; nothing at the end, or when no more are wanted.
   ParcelPointer read() {
-    if (isAtEnd_)
+    if (isAtEnd_ || isStopped_)
       return nullptr;
+    // Rays that are slow to come must not keep a fault from being told.
+    const auto keepsGoing = [this] { return !isStopped_ && settings_.keepsGoing(); };
     auto parcel = std::make_shared<Parcel>();
     try {
-      isAtEnd_ = !rays_.next(parcel->rays, settings_.keepsGoing);
+      isAtEnd_ = !rays_.next(parcel->rays, keepsGoing);
       if (isAtEnd_)
         return nullptr;
+      if (const auto progress = rays_.progress(); progress && settings_.reportProgress)
+        settings_.reportProgress(*progress);
     } catch (...) {
       isAtEnd_ = true;
       parcel->fault = std::current_exception();
     }
-    if (const auto progress = rays_.progress(); progress && settings_.reportProgress)
-      settings_.reportProgress(*progress);
     return parcel;
   }
 
@@ -157,12 +166,17 @@ class Tracing {
     }
   }
 
-  void write(const Parcel& parcel) {
-    if (parcel.fault)
-      std::rethrow_exception(parcel.fault);
-    if (report_.isInterrupted)
+  void write(const Parcel& parcel) noexcept {
+    if (isStopped_)
       return;
-    append(parcel.rows);
+    try {
+      if (parcel.fault)
+        std::rethrow_exception(parcel.fault);
+      append(parcel.rows);
+    } catch (...) {
+      fault_ = std::current_exception();
+    }
+    isStopped_ = fault_ || report_.isInterrupted;
     report_.rayCount += parcel.report.rayCount;
     report_.hitCount += parcel.report.hitCount;
     report_.invalidRayCount += parcel.report.invalidRayCount;
@@ -180,6 +194,9 @@ class Tracing {
   TraceReport report_;
   bool isAtEnd_ = false;
   bool isCountMissing_ = false;
+  std::exception_ptr fault_;  ///< the first one
+  /// Nothing more is to be written: after a fault, or an interruption.
+  std::atomic<bool> isStopped_ = false;
 };
 
 }  // namespace
