@@ -131,7 +131,7 @@ Plot plotOf(const Summary& summary, const std::string& kind) {
   }
   const std::string name = fmt::format("{}{}{}-{}.svg", summary.measure, kind.empty() ? "" : "-",
                                        kind, summary.threadCount);
-  return {name, toSvg(chart)};
+  return {name, chart.title, toSvg(chart)};
 }
 
 std::vector<std::string> kindsOf(const Summary& summary) {
@@ -171,8 +171,7 @@ PerformanceFigures performanceFigures(const std::vector<Result>& results,
         fmt::format("\n### {}\n\n{}\n", sectionTitle(summary), markdownTable(summary));
     for (const std::string& kind : kindsOf(summary)) {
       Plot plot = plotOf(summary, kind);
-      figures.markdown +=
-          fmt::format("![{} {}]({}/{})\n", summary.measure, kind, plotFolder, plot.name);
+      figures.markdown += fmt::format("![{}]({}/{})\n", plot.title, plotFolder, plot.name);
       figures.plots.push_back(std::move(plot));
     }
   }

@@ -9,6 +9,7 @@ namespace planetree::bench {
 
 struct Plot {
   std::string name;  ///< of its file
+  std::string title;
   std::string svg;
 };
 

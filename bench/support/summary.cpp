@@ -88,6 +88,14 @@ void finish(Summary& summary) {
     summary.meanRatios.push_back(geometricMean(summary, i));
 }
 
+/// The value with this many digits that count, before and after the point together.
+std::string withDigits(double value, int digits) {
+  if (value == 0.0 || !std::isfinite(value))
+    return fmt::format("{}", value);
+  const int digitsBefore = static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
+  return fmt::format("{:.{}f}", value, std::max(0, digits - digitsBefore));
+}
+
 std::string cellText(const Summary& summary, const Summary::Row& row, std::size_t column) {
   if (!row.values[column])
     return "-";
@@ -119,14 +127,11 @@ std::string measureTitle(const std::string& measure) {
 }
 
 std::string valueText(double value) {
-  if (value == 0.0 || !std::isfinite(value))
-    return fmt::format("{}", value);
-  const int digitsBefore = static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
-  return fmt::format("{:.{}f}", value, std::max(0, 3 - digitsBefore));
+  return withDigits(value, 3);
 }
 
 std::string ratioText(double ratio) {
-  return valueText(ratio) + "x";
+  return withDigits(ratio, 2) + "x";
 }
 
 std::string toText(const Summary& summary) {

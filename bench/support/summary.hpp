@@ -44,7 +44,7 @@ struct Summary {
 
 /// Three digits that count: 0.0123, 4.56, 78.9, 1230.
 [[nodiscard]] std::string valueText(double value);
-/// "0.31x"
+/// Two, since the next one is noise: 0.31x, 4.5x, 12x.
 [[nodiscard]] std::string ratioText(double ratio);
 
 /// The table in plain text, to be read in a terminal.

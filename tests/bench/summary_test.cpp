@@ -72,8 +72,15 @@ TEST(Summary, TextShowsEveryCellRatioAndMean) {
                                     result("b", "planetree", 4.0), result("b", "embree3", 0.5)});
   const std::string text = toText(summaries.front());
   for (const char* part : {"million rays per second", "1 thread", "planetree", "embree3", "mode*",
-                           "6.00", "3.00", "2.00x", "0.500", "8.00x", "geometric mean", "4.00x"})
+                           "6.00", "3.00", "2.0x", "0.500", "8.0x", "geometric mean", "4.0x"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " is missing from\n" << text;
+}
+
+TEST(RatioText, HasTwoDigitsThatCount) {
+  EXPECT_EQ(ratioText(0.0123456), "0.012x");
+  EXPECT_EQ(ratioText(0.448), "0.45x");
+  EXPECT_EQ(ratioText(1.04), "1.0x");
+  EXPECT_EQ(ratioText(123.4), "123x");
 }
 
 TEST(ValueText, HasThreeDigitsThatCount) {
