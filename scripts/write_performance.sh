@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# write_performance.sh FOLDER: measures with all meshes of the folder, and those of the folder that
+# PLANETREE_SCENES names if it is set, and writes docs/performance.json, the figures of
+# docs/performance.md and its plots. Takes an hour or two; the machine should have nothing else to do.
+#
+#   bash scripts/fetch_scenes.sh FOLDER && bash scripts/write_performance.sh FOLDER
+#
+# write_performance.sh --renew: writes the figures and plots anew from docs/performance.json.
+set -euo pipefail
+if (($# != 1)); then
+  echo "usage: bash scripts/write_performance.sh FOLDER, or --renew" >&2
+  exit 2
+fi
+[[ $1 == --renew ]] || folder=$(cd -- "$1" && pwd)
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/packages.sh
+source scripts/packages.sh
+
+bash scripts/bench.sh
+bench=build/release/bin/planetree-bench
+json=docs/performance.json
+
+# add_scenes FOLDER: its meshes, but for those that have the name of one that is there.
+declare -A names=()
+add_scenes() {
+  local file name
+  for file in "$1"/*.{ply,obj,stl,glb}; do
+    name=$(basename "${file%.*}")
+    [[ -e $file && -z ${names[$name]:-} ]] || continue
+    names[$name]=1
+    scenes+=("$file")
+  done
+}
+
+if [[ $1 != --renew ]]; then
+  scenes=()
+  add_scenes "$folder"
+  if [[ -n ${PLANETREE_SCENES:-} ]]; then add_scenes "$PLANETREE_SCENES"; fi
+  "$bench" rivals --measure rays,build,memory --engines planetree,embree3 --json "$json" \
+    "${scenes[@]}"
+fi
+mkdir -p docs/images/performance
+"$bench" report "$json" --page docs/performance.md --plots docs/images/performance
