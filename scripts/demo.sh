@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds planetree, and draws the Stanford bunny: bunny.png with ambient
-# occlusion, and bunny-heat.png with the work that each of its rays was.
+# occlusion, and bunny-heat.png with the work of each ray.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/packages.sh

@@ -10,7 +10,8 @@
 namespace planetree {
 
 /// One object of a scene, whatever its type: a handle that names a primitive of a geometry. It is
-/// itself a `Shape`, and what a `KdTree` over a `Scene` holds. It must not outlive the tree.
+/// itself a `Shape`, and what a `KdTree` over a `Scene` holds. It must not outlive the tree. A
+/// handle to an object that was skipped must not be asked for anything but its ids.
 template <std::floating_point T>
 class AnyObject {
  public:
@@ -40,7 +41,8 @@ class AnyObject {
     const detail::LeafRun run{std::span(&primitive_, 1), 0, geometry_};
     Hit<T> hit;
     const bool found =
-        entry_->intersecting->findNearest(entry_->range, run, ShearedRay<T>(ray), tMin, tMax, hit).found;
+        entry_->intersecting->findNearest(entry_->range, run, ShearedRay<T>(ray), tMin, tMax, hit)
+            .found;
     return found ? std::optional(hit) : std::nullopt;
   }
 

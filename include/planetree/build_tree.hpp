@@ -20,24 +20,34 @@
 /// left out, counted and named in `tree.report()`; the others keep their numbers. Without any
 /// object the tree is one empty leaf.
 ///
-/// Throws `Error` with `InvalidOption` for an option out of range, `CapacityExceeded` for more than
-/// 2^32 - 2 objects, 2^30 - 1 references or nodes, and whatever a shape's own `bounds` and
-/// `clippedBounds` throw. Takes O(N log^2 N) time. Uses `BuildOptions::threadCount` threads; the
-/// tree is the same for any number. Several trees may be built at once.
+/// Throws `Error` with `InvalidOption` for an option out of range, `CapacityExceeded` for more
+/// objects, references or nodes than docs/limits.md allows, and whatever a shape's own `bounds` and
+/// `clippedBounds` throw. Takes O(N log^2 N)
+/// time, where N counts references: `BuildOptions::referencesPerObject` bounds them. Uses
+/// `BuildOptions::threadCount` threads; the tree is the same for any number. Several trees may be
+/// built at once.
 namespace planetree {
 
-template <Object O>
+/// Faces come with their mesh, not one by one: a tree of faces finds them through it.
+template <class O>
+concept ObjectByItself = Object<O> && !detail::kIsFace<O>;
+
+template <ObjectByItself O>
 [[nodiscard]] KdTree<O> buildTree(std::vector<O> objects, const BuildOptions& options = {}) {
   std::vector<detail::GeometryEntry<ScalarOf<O>>> entries;
   entries.push_back(detail::ownedEntry(std::move(objects)));
   return KdTree<O>(detail::buildTreeData(std::move(entries), options));
 }
 
-template <Object O>
+template <ObjectByItself O>
 [[nodiscard]] KdTree<O> buildTree(std::span<const O> objects, const BuildOptions& options = {}) {
   std::vector<detail::GeometryEntry<ScalarOf<O>>> entries;
   entries.push_back(detail::viewedEntry(objects));
   return KdTree<O>(detail::buildTreeData(std::move(entries), options));
+}
+template <ObjectByItself O>
+[[nodiscard]] KdTree<O> buildTree(std::span<O> objects, const BuildOptions& options = {}) {
+  return buildTree(std::span<const O>(objects), options);
 }
 
 template <std::floating_point T>

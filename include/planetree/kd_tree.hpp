@@ -34,6 +34,11 @@ class KdTree {
   /// A tree without objects, which every ray misses.
   KdTree() : KdTree(detail::TreeData<Scalar>{.nodes = {LeafNode(0, 0)}}) {}
 
+  // Moving copies, which is as cheap: a tree that was moved from can still be asked.
+  KdTree(const KdTree&) = default;
+  KdTree& operator=(const KdTree&) = default;
+  ~KdTree() = default;
+
   explicit KdTree(detail::TreeData<Scalar> data)
       : data_(std::make_shared<const detail::TreeData<Scalar>>(std::move(data))) {}
 
@@ -84,7 +89,8 @@ class KdTree {
     return data_->geometries[geometry].userPointer;
   }
 
-  /// The object that a hit names; by value where the tree holds handles (`Face`, `AnyObject`).
+  /// The object that a hit names (not one that was skipped); by value where the tree holds handles
+  /// (`Face`, `AnyObject`).
   [[nodiscard]] decltype(auto) object(std::uint32_t geometry, std::uint32_t primitive) const {
     if constexpr (std::same_as<O, AnyObject<Scalar>>) {
       return AnyObject<Scalar>(data_->geometries[geometry], geometry, primitive);

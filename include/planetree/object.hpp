@@ -27,8 +27,7 @@
 /// looks at the ray's origin and direction only; the interval comes as arguments. Three things must
 /// hold:
 ///  - the hits do not depend on the interval: compute all roots, then choose. Then asking again
-///  from
-///    `nextUp(hit.t)` finds the next one, and neither skips nor repeats any.
+///    from `nextUp(hit.t)` finds the next one, and neither skips nor repeats any.
 ///  - the point at the returned t lies in `bounds()`, but for the rounding of a few operations on
 ///    numbers as large as the distance from the origin (docs/numerics.md has the exact allowance).
 ///  - the same arguments give the same bits, from any thread.
@@ -39,17 +38,17 @@
 ///    cell, rounded outward; an empty box says that the shape does not touch the cell. With it the
 ///    tree keeps the shape out of the cells that only its box touches.
 ///  - `int planarSide(Axis axis) const` is the sign of the component of the normal along `axis`,
-///  for
-///    flat shapes. The textbook rules put a shape that lies in a split plane left of it if the sign
-///    is negative, and right of it otherwise.
+///    for flat shapes. The textbook rules put a shape that lies in a split plane left of it if the
+///    sign is negative, and right of it otherwise.
 ///
 /// An *object* is a shape, a `std::variant` of objects, or a pointer to an object (raw,
 /// `std::unique_ptr` or `std::shared_ptr`; also to a virtual base such as `Geometry<T>`).
 namespace planetree {
 
 template <class S>
-concept Shape = std::floating_point<typename S::Scalar> &&
-    requires(const S& shape, const Ray<typename S::Scalar>& ray, typename S::Scalar t) {
+concept Shape =
+    (std::same_as<typename S::Scalar, float> || std::same_as<typename S::Scalar, double>)&&requires(
+        const S& shape, const Ray<typename S::Scalar>& ray, typename S::Scalar t) {
   { shape.bounds() } -> std::convertible_to<Box3>;
   { shape.intersect(ray, t, t) }
   noexcept->std::same_as<std::optional<Hit<typename S::Scalar>>>;

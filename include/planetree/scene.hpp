@@ -17,7 +17,7 @@ namespace planetree {
 struct GeometryOptions {
   /// Queries see the geometry only if their own mask shares a bit with this one.
   std::uint32_t mask = 0xFFFF'FFFFu;
-  /// Never touched by the library; `KdTree::geometry(hit.geometry).userPointer` returns it.
+  /// Never touched by the library; `KdTree::userPointer(hit.geometry)` returns it.
   void* userPointer = nullptr;
 };
 
@@ -47,6 +47,11 @@ class Scene {
   requires std::same_as<ScalarOf<O>, T> std::uint32_t add(std::span<const O> objects,
                                                           const GeometryOptions& options = {}) {
     return add(detail::viewedEntry(objects), options);
+  }
+  template <Object O>
+  requires std::same_as<ScalarOf<O>, T> std::uint32_t add(std::span<O> objects,
+                                                          const GeometryOptions& options = {}) {
+    return add(std::span<const O>(objects), options);
   }
   /// A geometry of a single object.
   template <Object O>

@@ -218,6 +218,12 @@ struct SideEquation {
 [[nodiscard]] inline Interval sideInterval(const ConeFrame& frame, const LocalRay& ray,
                                            const Interval& slab) noexcept {
   const double reference = closestToAxis(ray, slab);
+  // Nowhere in the slab is the line closer to the axis than there. This also turns away lines whose
+  // direction along the axis is nothing but rounding, and which meet the slab far off.
+  constexpr double kRoundings = 0x1p-40;
+  const double widest = std::fmax(frame.bottomRadius, frame.topRadius);
+  if (axisDistance(ray.at(reference)) > widest + kRoundings * (widest + frame.halfHeight))
+    return Interval::empty();
   const SideEquation equation = sideEquation(frame, ray.at(reference), ray.direction);
   const Interval inside = insideInterval(equation);
   if (inside.isEmpty())

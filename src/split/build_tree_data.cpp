@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace planetree::detail {
@@ -54,6 +55,12 @@ std::uint32_t depthLimitFor(const BuildOptions& options, std::size_t objectCount
   const double levels =
       8.0 + 1.3 * std::log2(static_cast<double>(std::max<std::size_t>(objectCount, 1)));
   return std::min(static_cast<std::uint32_t>(std::lround(levels)), kMaxTreeDepth);
+}
+
+double referenceBudget(const BuildOptions& options, std::size_t objectCount) {
+  if (options.referencesPerObject == 0)
+    return std::numeric_limits<double>::infinity();
+  return static_cast<double>(options.referencesPerObject) * static_cast<double>(objectCount);
 }
 
 /// oneTBB complains on standard error if it is asked for more threads than it may have.
@@ -99,7 +106,8 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     const ClipReferences clip = clipperFor(tree.geometries);
     const TreeBuilder builder(options, depthLimitFor(options, objects.references.size()), clip);
     NodeArray array;
-    builder.buildTree(std::move(objects.references), tree.bounds, 1, array);
+    const double budget = referenceBudget(options, objects.references.size());
+    builder.buildTree(std::move(objects.references), tree.bounds, 1, budget, array);
     tree.nodes = array.takeNodes();
     tree.references = array.takeReferences();
     tree.nodes.shrink_to_fit();

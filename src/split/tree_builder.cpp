@@ -16,31 +16,40 @@ constexpr std::size_t kParallelThreshold = 4096;
 }  // namespace
 
 void TreeBuilder::buildTree(std::vector<Reference> references, const Box3& cell,
-                            std::uint32_t level, NodeArray& tree) const {
+                            std::uint32_t level, double budget, NodeArray& tree) const {
   if (mustBeLeaf(references.size(), level))
     return tree.addLeaf(references);
   const std::optional<SplitPlane> plane = findBestSplitPlane(references, cell, options_);
-  if (!plane || !isWorthIt(*plane, references.size()))
+  if (!plane || !isWorthIt(*plane, references.size()) || !fitsInto(budget, *plane))
     return tree.addLeaf(references);
 
   const bool isLarge = references.size() >= kParallelThreshold;
   Division division = divide(std::move(references), *plane, cell);
+  const auto total = static_cast<double>(division.left.size() + division.right.size());
+  const auto budgetOf = [&](const std::vector<Reference>& side) {
+    return side.empty() ? 0.0 : budget * (static_cast<double>(side.size()) / total);
+  };
+  const double leftBudget = budgetOf(division.left);
+  const double rightBudget = budgetOf(division.right);
+
   const std::size_t split = tree.addSplit(plane->axis, plane->position);
+  const auto buildLeft = [&] {
+    buildTree(std::move(division.left), calculateLeftBBox(*plane, cell), level + 1, leftBudget,
+              tree);
+  };
+  const auto buildRight = [&](NodeArray& right) {
+    buildTree(std::move(division.right), calculateRightBBox(*plane, cell), level + 1, rightBudget,
+              right);
+  };
   if (isLarge) {
     NodeArray right;
-    tbb::parallel_invoke(
-        [&] {
-          buildTree(std::move(division.left), calculateLeftBBox(*plane, cell), level + 1, tree);
-        },
-        [&] {
-          buildTree(std::move(division.right), calculateRightBBox(*plane, cell), level + 1, right);
-        });
+    tbb::parallel_invoke(buildLeft, [&] { buildRight(right); });
     tree.beginRightChild(split);
     tree.append(right);
   } else {
-    buildTree(std::move(division.left), calculateLeftBBox(*plane, cell), level + 1, tree);
+    buildLeft();
     tree.beginRightChild(split);
-    buildTree(std::move(division.right), calculateRightBBox(*plane, cell), level + 1, tree);
+    buildRight(tree);
   }
 }
 
@@ -53,6 +62,10 @@ bool TreeBuilder::isWorthIt(const SplitPlane& plane, std::size_t count) const no
   if (hasEmptySide && !options_.allowsEmptyCells)
     return false;
   return !options_.stopsByCost || plane.cost < options_.cost.leafCost(count);
+}
+
+bool TreeBuilder::fitsInto(double budget, const SplitPlane& plane) noexcept {
+  return static_cast<double>(plane.leftCount + plane.rightCount) <= budget;
 }
 
 TreeBuilder::Division TreeBuilder::divide(std::vector<Reference> references,

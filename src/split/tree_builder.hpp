@@ -25,9 +25,10 @@ class TreeBuilder {
   TreeBuilder(const BuildOptions& options, std::uint32_t depthLimit, const ClipReferences& clip)
       : options_(options), depthLimit_(depthLimit), clip_(clip) {}
 
-  /// Adds the tree of these references within the cell. `level` counts from 1 at the root.
+  /// Adds the tree of these references within the cell. `level` counts from 1 at the root; `budget`
+  /// is how many references the subtree may have in all.
   void buildTree(std::vector<Reference> references, const Box3& cell, std::uint32_t level,
-                 NodeArray& tree) const;
+                 double budget, NodeArray& tree) const;
 
  private:
   struct Division {
@@ -37,6 +38,7 @@ class TreeBuilder {
 
   [[nodiscard]] bool mustBeLeaf(std::size_t count, std::uint32_t level) const noexcept;
   [[nodiscard]] bool isWorthIt(const SplitPlane& plane, std::size_t count) const noexcept;
+  [[nodiscard]] static bool fitsInto(double budget, const SplitPlane& plane) noexcept;
   [[nodiscard]] Division divide(std::vector<Reference> references, const SplitPlane& plane,
                                 const Box3& cell) const;
   void clipStraddling(std::vector<Reference>& references,

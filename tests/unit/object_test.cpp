@@ -85,6 +85,26 @@ TEST(Objects, OwnedOnesLiveAsLongAsTheTree) {
   EXPECT_TRUE(fromScene.findIntersection(kDown));
 }
 
+TEST(Objects, CanBeAskedForAfterTheirTreeWasMovedFrom) {
+  KdTree<Sphere<float>> tree = buildTree(std::vector<Sphere<float>>{{{0, 0, 0}, 1}});
+  const KdTree<Sphere<float>> taken = std::move(tree);
+  EXPECT_TRUE(taken.findIntersection(kDown));
+  EXPECT_TRUE(tree.findIntersection(kDown)) << "moving copies";  // NOLINT(bugprone-use-after-move)
+}
+
+TEST(Objects, ComeInSpansOfConstAndOthers) {
+  std::vector<Sphere<float>> spheres = {{{0, 0, 0}, 1}};
+  EXPECT_TRUE(buildTree(std::span(spheres)).findIntersection(kDown));
+  EXPECT_TRUE(buildTree(std::span(std::as_const(spheres))).findIntersection(kDown));
+  Scene<float> scene;
+  scene.add(std::span(spheres));
+  scene.add(std::span(std::as_const(spheres)));
+  EXPECT_TRUE(buildTree(scene).findIntersection(kDown));
+}
+
+// A tree of faces looks them up in their mesh, so lists of faces must not pass for one.
+static_assert(ObjectByItself<Sphere<float>> && !ObjectByItself<Face<float>>);
+
 TEST(Objects, LeavesListThem) {
   const std::vector<Sphere<float>> spheres = {{{0, 0, 0}, 1}, {{5, 0, 0}, 2}};
   BuildOptions oneLeaf;

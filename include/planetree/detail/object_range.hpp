@@ -14,6 +14,11 @@
 
 namespace planetree::detail {
 
+template <class O>
+inline constexpr bool kIsFace = false;
+template <class T>
+inline constexpr bool kIsFace<Face<T>> = true;
+
 /// What a tree of objects O sees as its range of objects.
 template <class O>
 struct RangeOf {

@@ -12,8 +12,8 @@ namespace planetree {
 ///
 /// The direction need not be of unit length; every t of the library is in units of its length.
 /// A ray whose direction is zero, or with a NaN or infinity anywhere but in tMin and tMax, misses
-/// everything. tMin may be negative and tMax infinite. See docs/limits.md for the range of
-/// coordinates in which no hit is missed.
+/// everything, and so does one with tMin > tMax or a NaN in either. tMin may be negative and tMax
+/// infinite. See docs/limits.md for the range of coordinates in which no hit is missed.
 ///
 /// The layout is eight scalars in this order, so an array of N rays is an N x 8 array.
 template <class T>

@@ -28,8 +28,8 @@ class Face {
 
   [[nodiscard]] std::uint32_t index() const noexcept { return index_; }
 
-  /// False if an index is out of range, or a corner is not finite or beyond the range of float: such
-  /// a face cannot be hit.
+  /// False if an index is out of range, or a corner is not finite or beyond the range of float:
+  /// such a face cannot be hit.
   [[nodiscard]] bool isUsable() const noexcept;
 
   /// Empty if the face is not usable.

@@ -23,6 +23,8 @@ using FaceIndices = std::array<std::uint32_t, 3>;
 /// each, `faceStride` bytes apart. Neither needs any alignment.
 template <std::floating_point T>
 class TriangleMeshView {
+  static_assert(std::same_as<T, float> || std::same_as<T, double>);
+
  public:
   using Scalar = T;
 

@@ -5,11 +5,10 @@
 ///
 /// Common to all:
 ///  - `bounds` holds the whole shape, rounded outward.
-///  - `intersect` finds every crossing of the whole line first and then takes the nearest one with
-///  t
-///    in [tMin, tMax]: asking again from `nextUp(hit.t)` finds the others, each once. A tangent
-///    touches once. Two crossings whose t round to the same number are one hit, the one that comes
-///    first.
+///  - `intersect` finds every crossing of the whole line first and then takes the nearest one
+///    with t in [tMin, tMax]: asking again from `nextUp(hit.t)` finds the others, each once. A
+///    tangent touches once. Two crossings whose t round to the same number are one hit, the one
+///    that comes first.
 ///  - it is computed in double also where T is float, and t is rounded once at the end.
 ///  - a ray whose origin or direction is not finite, or whose direction is zero, misses.
 #include <planetree/shape/box.hpp>

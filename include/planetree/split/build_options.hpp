@@ -39,16 +39,22 @@ struct BuildOptions {
 
   PlanarRule planarRule = PlanarRule::CheaperSide;
 
+  /// How many references there may be for each object, on average; 0 sets no bound. Large faces
+  /// that cross in one place would otherwise multiply with every split. Each side of a split gets a
+  /// part of what its parent may have, by the share of references it holds, and a cell that has
+  /// used up its part becomes a leaf: the bound costs speed where it is met, and nothing elsewhere.
+  std::uint32_t referencesPerObject = 32;
+
   /// Threads to build with, at most as many as oneTBB may use; 0 means all of these. The tree is
   /// the same for any number. The work runs in an arena of its own and does not mix with the
   /// caller's oneTBB tasks.
   std::uint32_t threadCount = 0;
 
   /// The rules of the textbook to the letter: the plane with the smallest (nL AL + nR AR) / A wins,
-  /// whole boxes are counted, an empty side makes a leaf, and only `leafSize` (10) and `depthLimit`
-  /// (15) stop. For teaching and as a yardstick: a plane that cuts off empty space, or on a wall of
-  /// the cell, is often cheapest, so that these rules end early with large leaves, up to a single
-  /// leaf for everything.
+  /// whole boxes are counted, an empty side makes a leaf, and only `leafSize` and `depthLimit`
+  /// stop, both as such ray tracers usually have them. For teaching and as a yardstick: a plane
+  /// that cuts off empty space, or on a wall of the cell, is often cheapest, so that these rules
+  /// end early with large leaves, up to a single leaf for everything.
   [[nodiscard]] static constexpr BuildOptions textbook() noexcept {
     BuildOptions options;
     options.leafSize = 10;
@@ -58,6 +64,7 @@ struct BuildOptions {
     options.allowsEmptyCells = false;
     options.clipsReferences = false;
     options.planarRule = PlanarRule::NormalSign;
+    options.referencesPerObject = 0;
     return options;
   }
 };

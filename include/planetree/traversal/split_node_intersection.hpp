@@ -11,7 +11,9 @@
 /// All of them look for hits with t in [tMin, tMax] (the ray's own interval is not used) that come
 /// before `i`, in the order of `isBefore`. If there is one they put the first of them into `i` and
 /// return true; else they leave `i` alone and return false. So a default-made hit is the one to
-/// start with. The split must be a node of `tree`. Masks of
+/// start with. For a split below
+/// the root that is a promise about hits inside its cell; objects reach beyond it, and hits out
+/// there may be found or not. The split must be a node of `tree`. Masks of
 /// geometries are left to whole queries.
 namespace planetree {
 

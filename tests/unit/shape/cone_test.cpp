@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace planetree::test {
 namespace {
@@ -143,6 +144,37 @@ TEST(Cone, WithMembersThatAreNotFiniteIsNothing) {
       EXPECT_TRUE(allHits(cone, Rayd{{0, 0, -1}, {0, 0, 1}}).empty());
     }
   }
+}
+
+// A direction perpendicular to a slanted axis leaves a rounding residue along it: the line seems to
+// meet the cone's slab, but very far off.
+TEST(OpenCone, IsNotHitBeyondItsRimsByRaysAcrossASlantedAxis) {
+  std::mt19937 random(3);
+  const auto upTo = [&random](int most) {
+    return static_cast<double>(random() % static_cast<unsigned>(most + 1));
+  };
+  const auto vector = [&upTo](int most) {
+    return Vec3d{upTo(2 * most) - most, upTo(2 * most) - most, upTo(2 * most) - most};
+  };
+  int hits = 0;
+  for (int i = 0; i < 300'000; ++i) {
+    const Cone<double> cone{.base = {},
+                            .axis = vector(3),
+                            .bottomRadius = 1.0 + upTo(2),
+                            .topRadius = upTo(3),
+                            .capped = false};
+    const Rayd ray{vector(4), vector(3)};
+    if (dot(cone.axis, ray.direction) != 0.0 || cone.axis == Vec3d{} || ray.direction == Vec3d{})
+      continue;
+    const auto hit = cone.intersect(ray, -1e9, 1e9);
+    if (!hit)
+      continue;
+    ++hits;
+    const double height = dot(ray.at(hit->t), cone.axis) / dot(cone.axis, cone.axis);
+    ASSERT_GT(height, -1e-9);
+    ASSERT_LT(height, 1.0 + 1e-9);
+  }
+  EXPECT_GT(hits, 2'000);
 }
 
 }  // namespace

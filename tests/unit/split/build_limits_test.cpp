@@ -125,9 +125,33 @@ TEST(DepthLimit, MayBeTheGreatestDepth) {
   options.depthLimit = kMaxTreeDepth;
   options.leafSize = 0;
   options.cost = {.traversalCost = 0.0, .intersectionCost = 1.0, .emptyBonus = 0.0};
+  options.referencesPerObject = 0;
   const auto tree = buildTree(mesh, options);
   EXPECT_EQ(tree.statistics().depth, kMaxTreeDepth);
   expectValid(tree);
+}
+
+TEST(ReferencesPerObject, BoundsTheReferencesOfFacesThatMeetInOneCorner) {
+  // A polygon cut into a fan: all long thin faces share its first corner.
+  TriangleMesh<float> mesh;
+  std::vector<std::uint32_t> corners;
+  constexpr std::uint32_t kCornerCount = 800;
+  for (std::uint32_t i = 0; i < kCornerCount; ++i) {
+    const float angle = 6.2831853f * static_cast<float>(i) / static_cast<float>(kCornerCount);
+    mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.3f * std::cos(angle)});
+    corners.push_back(i);
+  }
+  mesh.addPolygon(corners, 0);
+  for (const std::uint32_t bound : {1u, 2u, 32u}) {
+    BuildOptions options;
+    options.referencesPerObject = bound;
+    const auto tree = buildTree(mesh.view(), options);
+    EXPECT_LE(tree.statistics().referenceCount, std::uint64_t{bound} * mesh.faces.size());
+    expectValid(tree);
+  }
+  BuildOptions unbounded;
+  unbounded.referencesPerObject = 0;
+  EXPECT_GT(buildTree(mesh.view(), unbounded).statistics().referenceCount, 32 * mesh.faces.size());
 }
 
 TEST(LeafSize, EndsCellsThatHoldAsManyOrFewer) {
