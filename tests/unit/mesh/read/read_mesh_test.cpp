@@ -114,7 +114,7 @@ class ReadScene : public testing::Test {
  protected:
   void SetUp() override {
     const char* const folder = std::getenv("PLANETREE_SCENES");
-    if (!folder)
+    if (!folder || *folder == 0)
       GTEST_SKIP() << "PLANETREE_SCENES does not name the folder of large meshes";
     folder_ = folder;
   }
