@@ -23,7 +23,8 @@ struct Disc {
                                            double tMax) const noexcept {
     const double t = (height - ray.origin.z) / ray.direction.z;
     const double distance = std::hypot(ray.at(t).x, ray.at(t).y);
-    if (!(t >= tMin && t <= tMax && distance <= radius)) return std::nullopt;
+    if (!(t >= tMin && t <= tMax && distance <= radius))
+      return std::nullopt;
     return planetree::Hitd{.t = t, .u = distance / radius, .normal = {0, 0, 1}};
   }
 };
@@ -36,7 +37,8 @@ int main() {
 
   const auto aside = tree.findIntersection({{2, 0, 5}, {0, 0, -1}});
   const auto middle = tree.findIntersection({{0.75, 0, 5}, {0, 0, -1}});
-  if (!aside || !middle) return 1;
+  if (!aside || !middle)
+    return 1;
   std::printf("beside the sphere: geometry %u, primitive %u at t = %g\n", aside->geometry,
               aside->primitive, aside->t);
   std::printf("onto the sphere: geometry %u at t = %g\n", middle->geometry, middle->t);

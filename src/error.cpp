@@ -10,7 +10,8 @@ std::string describe(const std::string& problem, const std::string& advice,
     text += text.empty() ? "line " : ":";
     text += std::to_string(place.line);
   }
-  if (!text.empty()) text += ": ";
+  if (!text.empty())
+    text += ": ";
   if (place.face != Error::kNone) {
     text += "face ";
     text += std::to_string(place.face);

@@ -85,10 +85,10 @@ Box3 clippedTriangleBounds(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c,
   polygon.add(static_cast<Vec3d>(b));
   polygon.add(static_cast<Vec3d>(c));
 
-  // The corners that clipping makes are off by some ulps of a double for each plane. Clipping against
-  // a cell that is larger by a margin far above that keeps every true point, and growing the result
-  // by the margin covers the error of the points that are kept; docs/numerics.md has the derivation.
-  // The margin is still far below an ulp of a float, so that it costs one ulp at most.
+  // The corners that clipping makes are off by some ulps of a double for each plane. Clipping
+  // against a cell that is larger by a margin far above that keeps every true point, and growing
+  // the result by the margin covers the error of the points that are kept; docs/numerics.md has the
+  // derivation. The margin is still far below an ulp of a float, so that it costs one ulp at most.
   const double margin = largestCoordinate(polygon, cell) * 0x1p-44;
   for (const Axis axis : kAxes) {
     const double lower = static_cast<double>(cell.lower[axis]) - margin;
