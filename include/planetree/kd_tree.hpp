@@ -148,7 +148,8 @@ class KdTree {
 
   /// The tree in numbers. Walks it: linear in the nodes.
   [[nodiscard]] TreeStatistics statistics() const {
-    return treeStatistics(data_->nodes, data_->bounds, data_->options.cost);
+    const CostModel& cost = data_->options.cost;
+    return treeStatistics(data_->nodes, data_->bounds, {cost.traversalCost, cost.intersectionCost});
   }
 
  private:

@@ -17,13 +17,14 @@ void requireRoom(std::size_t count, std::size_t limit, const std::string& what) 
 
 }  // namespace
 
-void NodeArray::addLeaf(std::span<const Reference> references) {
+std::span<std::uint32_t> NodeArray::addLeaf(std::size_t count) {
   requireRoom(nodes_.size() + 1, kMaxNodeCount, "nodes");
-  requireRoom(references_.size() + references.size(), kMaxReferenceCount, "references");
-  nodes_.emplace_back(LeafNode(static_cast<std::uint32_t>(references_.size()),
-                               static_cast<std::uint32_t>(references.size())));
-  for (const Reference& reference : references)
-    references_.push_back(reference.object);
+  requireRoom(references_.size() + count, kMaxReferenceCount, "references");
+  const std::size_t first = references_.size();
+  nodes_.emplace_back(
+      LeafNode(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
+  references_.resize(first + count);
+  return std::span(references_).subspan(first);
 }
 
 std::size_t NodeArray::addSplit(Axis axis, float position) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <planetree/node/node.hpp>
-#include <planetree/split/reference.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +14,9 @@ namespace planetree::detail {
 /// leaves. Throws `Error` with `CapacityExceeded` where an offset would not fit.
 class NodeArray {
  public:
-  void addLeaf(std::span<const Reference> references);
+  /// Adds a leaf of `count` objects and returns room for their numbers, to be filled in rising
+  /// order before anything else is added.
+  [[nodiscard]] std::span<std::uint32_t> addLeaf(std::size_t count);
 
   /// Adds a split whose right child is not known yet, and returns where it stands.
   [[nodiscard]] std::size_t addSplit(Axis axis, float position);

@@ -1,5 +1,4 @@
 #include <planetree/node/validate_tree.hpp>
-#include <planetree/split/split_plane.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -82,10 +81,10 @@ std::optional<std::string> validateTree(std::span<const Node> nodes,
     const SplitNode& split = node.split();
     if (auto problem = validateSplit(split, cell, nodes.size()))
       return problem;
-    const SplitPlane plane{.axis = split.axis(), .position = split.position()};
+    cells.push_back({cell.node + split.rightOffset(),
+                     rightPart(cell.box, split.axis(), split.position()), cell.level + 1});
     cells.push_back(
-        {cell.node + split.rightOffset(), calculateRightBBox(plane, cell.box), cell.level + 1});
-    cells.push_back({cell.node + 1, calculateLeftBBox(plane, cell.box), cell.level + 1});
+        {cell.node + 1, leftPart(cell.box, split.axis(), split.position()), cell.level + 1});
   }
   if (expected != nodes.size())
     return atNode(expected, "is reached from no other");

@@ -4,29 +4,19 @@
 
 #include "node/node_array.hpp"
 #include "split/bound_objects.hpp"
+#include "split/phase_clock.hpp"
 #include "split/tree_builder.hpp"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
 
 namespace planetree::detail {
 namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 void require(bool condition, const std::string& problem, const std::string& advice) {
   if (!condition)
@@ -92,32 +82,32 @@ ClipReferences clipperFor(const std::vector<GeometryEntry<T>>& geometries) {
 template <class T>
 TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildOptions& options) {
   requireValid(options);
-  const Stopwatch total;
   TreeData<T> tree;
+  PhaseClock clock(tree.report);
   tree.options = options;
   tree.geometries = std::move(geometries);
 
   const auto build = [&] {
     BoundedObjects objects = boundObjects<T>(tree.geometries, tree.report);
     tree.bounds = objects.bounds;
-    tree.report.boundSeconds = total.seconds();
+    clock.end("bound");
 
-    const Stopwatch splitting;
     const ClipReferences clip = clipperFor(tree.geometries);
     const TreeBuilder builder(options, depthLimitFor(options, objects.references.size()), clip);
     NodeArray array;
     const double budget = referenceBudget(options, objects.references.size());
     builder.buildTree(std::move(objects.references), tree.bounds, 1, budget, array);
+    clock.end("split");
+
     tree.nodes = array.takeNodes();
     tree.references = array.takeReferences();
     tree.nodes.shrink_to_fit();
     tree.references.shrink_to_fit();
-    tree.report.splitSeconds = splitting.seconds();
+    clock.end("assemble");
   };
   // An arena of its own keeps the caller's tasks out of the build, and the build out of them.
   tbb::task_arena arena(threadCountFor(options));
   arena.execute(build);
-  tree.report.totalSeconds = total.seconds();
   return tree;
 }
 

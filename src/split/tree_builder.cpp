@@ -4,6 +4,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -13,15 +14,21 @@ namespace {
 // Below this many references a subtree is too little work to hand to another thread.
 constexpr std::size_t kParallelThreshold = 4096;
 
+void addLeaf(const std::vector<Reference>& references, NodeArray& tree) {
+  const std::span<std::uint32_t> objects = tree.addLeaf(references.size());
+  std::transform(references.begin(), references.end(), objects.begin(),
+                 [](const Reference& reference) { return reference.object; });
+}
+
 }  // namespace
 
 void TreeBuilder::buildTree(std::vector<Reference> references, const Box3& cell,
                             std::uint32_t level, double budget, NodeArray& tree) const {
   if (mustBeLeaf(references.size(), level))
-    return tree.addLeaf(references);
+    return addLeaf(references, tree);
   const std::optional<SplitPlane> plane = findBestSplitPlane(references, cell, options_);
   if (!plane || !isWorthIt(*plane, references.size()) || !fitsInto(budget, *plane))
-    return tree.addLeaf(references);
+    return addLeaf(references, tree);
 
   const bool isLarge = references.size() >= kParallelThreshold;
   Division division = divide(std::move(references), *plane, cell);

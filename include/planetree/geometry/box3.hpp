@@ -67,6 +67,22 @@ struct Box3 {
   return shared;
 }
 
+/// The part of the box where the coordinate along the axis is at most `position`, which must lie
+/// within the box.
+[[nodiscard]] constexpr Box3 leftPart(const Box3& box, Axis axis, float position) noexcept {
+  Box3 left = box;
+  left.upper[axis] = position;
+  return left;
+}
+
+/// The part of the box where the coordinate along the axis is at least `position`, which must lie
+/// within the box.
+[[nodiscard]] constexpr Box3 rightPart(const Box3& box, Axis axis, float position) noexcept {
+  Box3 right = box;
+  right.lower[axis] = position;
+  return right;
+}
+
 /// True if every point of `inner` lies in `outer`. An empty box lies in every box.
 [[nodiscard]] constexpr bool contains(const Box3& outer, const Box3& inner) noexcept {
   if (inner.isEmpty())

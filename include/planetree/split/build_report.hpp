@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace planetree {
@@ -20,14 +21,22 @@ struct SkippedObject {
   SkipReason reason = SkipReason::Empty;
 };
 
+/// A part of the build, and how long it took by the wall clock.
+struct BuildPhase {
+  std::string_view name;  ///< "bound", "split", ...; lives as long as the program
+  double seconds = 0.0;
+};
+
 /// What building did. Skipped objects keep their number: nothing else is renumbered.
 struct BuildReport {
   std::uint64_t objectCount = 0;       ///< all objects handed over, the skipped ones included
   std::uint64_t skippedCount = 0;      ///< of them not in the tree
   std::vector<SkippedObject> skipped;  ///< the first few skipped ones
-  double boundSeconds = 0.0;           ///< bounding the objects
-  double splitSeconds = 0.0;           ///< splitting, down to the finished nodes
-  double totalSeconds = 0.0;
+  /// What took how long, in the order in which it was done. Which phases there are may change with
+  /// the builder: "bound" bounds the objects, "split" finds the planes and divides the objects down
+  /// to the leaves, "assemble" makes the arrays that queries read.
+  std::vector<BuildPhase> phases;
+  double totalSeconds = 0.0;  ///< the sum of the phases
 };
 
 }  // namespace planetree

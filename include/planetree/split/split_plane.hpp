@@ -23,17 +23,13 @@ struct SplitPlane {
 
 /// The part of the cell below the plane, the plane included.
 [[nodiscard]] constexpr Box3 calculateLeftBBox(const SplitPlane& plane, const Box3& cell) noexcept {
-  Box3 left = cell;
-  left.upper[plane.axis] = plane.position;
-  return left;
+  return leftPart(cell, plane.axis, plane.position);
 }
 
 /// The part of the cell above the plane, the plane included.
 [[nodiscard]] constexpr Box3 calculateRightBBox(const SplitPlane& plane,
                                                 const Box3& cell) noexcept {
-  Box3 right = cell;
-  right.lower[plane.axis] = plane.position;
-  return right;
+  return rightPart(cell, plane.axis, plane.position);
 }
 
 }  // namespace planetree

@@ -78,6 +78,14 @@ TEST(Intersection, IsTheSharedPart) {
   EXPECT_TRUE(intersection(a, Box3{}).isEmpty());
 }
 
+TEST(LeftAndRightPart, ShareThePlaneAndNothingElse) {
+  const Box3 box{{0, 1, 2}, {10, 11, 12}};
+  EXPECT_EQ(leftPart(box, Axis::Y, 4), (Box3{{0, 1, 2}, {10, 4, 12}}));
+  EXPECT_EQ(rightPart(box, Axis::Y, 4), (Box3{{0, 4, 2}, {10, 11, 12}}));
+  EXPECT_EQ(leftPart(box, Axis::Z, 12), box);
+  EXPECT_EQ(rightPart(box, Axis::Z, 12), (Box3{{0, 1, 12}, {10, 11, 12}}));
+}
+
 TEST(Contains, LetsSidesTouch) {
   const Box3 outer{{0, 0, 0}, {2, 2, 2}};
   EXPECT_TRUE(contains(outer, outer));

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace planetree::detail {
@@ -13,11 +15,10 @@ namespace {
 
 constexpr Box3 kUnitCube = {.lower = {0, 0, 0}, .upper = {1, 1, 1}};
 
-std::vector<Reference> referencesTo(std::vector<std::uint32_t> objects) {
-  std::vector<Reference> references(objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    references[i].object = objects[i];
-  return references;
+void addLeaf(NodeArray& array, const std::vector<std::uint32_t>& objects) {
+  const std::span<std::uint32_t> room = array.addLeaf(objects.size());
+  ASSERT_EQ(room.size(), objects.size());
+  std::copy(objects.begin(), objects.end(), room.begin());
 }
 
 void expectLeaf(const Node& node, std::uint32_t firstReference, std::uint32_t count) {
@@ -34,13 +35,13 @@ void expectSplit(const Node& node, Axis axis, float position, std::uint32_t righ
 }
 
 /// A split of two leaves with the objects given.
-NodeArray splitOfTwo(Axis axis, float position, std::vector<std::uint32_t> left,
-                     std::vector<std::uint32_t> right) {
+NodeArray splitOfTwo(Axis axis, float position, const std::vector<std::uint32_t>& left,
+                     const std::vector<std::uint32_t>& right) {
   NodeArray array;
   const std::size_t split = array.addSplit(axis, position);
-  array.addLeaf(referencesTo(std::move(left)));
+  addLeaf(array, left);
   array.beginRightChild(split);
-  array.addLeaf(referencesTo(std::move(right)));
+  addLeaf(array, right);
   return array;
 }
 
@@ -52,7 +53,7 @@ TEST(NodeArray, IsEmptyAtFirst) {
 
 TEST(NodeArray, HoldsOneLeaf) {
   NodeArray array;
-  array.addLeaf(referencesTo({4, 7}));
+  addLeaf(array, {4, 7});
   const auto nodes = array.takeNodes();
   ASSERT_EQ(nodes.size(), 1u);
   expectLeaf(nodes[0], 0, 2);
@@ -65,11 +66,11 @@ TEST(NodeArray, KeepsDepthFirstOrder) {
   const std::size_t left = array.addSplit(Axis::Y, 0.25f);
   EXPECT_EQ(root, 0u);
   EXPECT_EQ(left, 1u);
-  array.addLeaf(referencesTo({0, 1}));
+  addLeaf(array, {0, 1});
   array.beginRightChild(left);
-  array.addLeaf({});
+  addLeaf(array, {});
   array.beginRightChild(root);
-  array.addLeaf(referencesTo({1, 2, 3}));
+  addLeaf(array, {1, 2, 3});
 
   const auto nodes = array.takeNodes();
   ASSERT_EQ(nodes.size(), 5u);
@@ -86,7 +87,7 @@ TEST(NodeArray, KeepsDepthFirstOrder) {
 TEST(NodeArray, MovesTheLeavesOfAnAppendedPart) {
   NodeArray array;
   const std::size_t root = array.addSplit(Axis::X, 0.5f);
-  array.addLeaf(referencesTo({0, 1, 2}));
+  addLeaf(array, {0, 1, 2});
   const NodeArray right = splitOfTwo(Axis::Z, 0.75f, {1}, {2, 3});
   array.beginRightChild(root);
   array.append(right);
@@ -112,7 +113,7 @@ TEST(NodeArray, AppendsPartsOfParts) {
 
   NodeArray outer;
   const std::size_t root = outer.addSplit(Axis::X, 0.5f);
-  outer.addLeaf(referencesTo({9}));
+  addLeaf(outer, {9});
   outer.beginRightChild(root);
   outer.append(inner);
 
@@ -126,7 +127,7 @@ TEST(NodeArray, AppendsPartsOfParts) {
 
 TEST(NodeArray, TakesNothingFromAnEmptyPart) {
   NodeArray array;
-  array.addLeaf(referencesTo({5}));
+  addLeaf(array, {5});
   array.append(NodeArray());
   EXPECT_EQ(array.takeNodes().size(), 1u);
   EXPECT_EQ(array.takeReferences().size(), 1u);
@@ -135,7 +136,7 @@ TEST(NodeArray, TakesNothingFromAnEmptyPart) {
 TEST(NodeArray, LeavesAnAppendedPartAsItWas) {
   NodeArray part = splitOfTwo(Axis::X, 0.5f, {0}, {1});
   NodeArray array;
-  array.addLeaf(referencesTo({7, 8}));
+  addLeaf(array, {7, 8});
   array.append(part);
   const auto nodes = part.takeNodes();
   ASSERT_EQ(nodes.size(), 3u);

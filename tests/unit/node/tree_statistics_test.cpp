@@ -12,7 +12,7 @@
 namespace planetree {
 namespace {
 
-constexpr CostModel kCost = {.traversalCost = 2.0, .intersectionCost = 3.0, .emptyBonus = 0.5};
+constexpr NodeCosts kCost = {.traversalCost = 2.0, .intersectionCost = 3.0};
 // Its area is 2 (8 + 8 + 4) = 40.
 constexpr Box3 kBounds = {.lower = {0, 0, 0}, .upper = {4, 2, 2}};
 
@@ -22,6 +22,8 @@ TEST(TreeStatistics, AreAllZeroWithoutNodes) {
   EXPECT_EQ(statistics.depth, 0u);
   EXPECT_EQ(statistics.bytes, 0u);
   EXPECT_EQ(statistics.sahCost, 0.0);
+  EXPECT_TRUE(statistics.levels.empty());
+  EXPECT_TRUE(statistics.leafSizes.empty());
 }
 
 TEST(TreeStatistics, OfASingleLeaf) {
@@ -66,6 +68,55 @@ TEST(TreeStatistics, OfATreeOfThreeLevels) {
   // 2 (1 + 32/40) + 3 (1 16/40 + 7 27/40); the empty cell has no bonus in what a tree costs.
   EXPECT_DOUBLE_EQ(statistics.sahCost, 2.0 * 1.8 + 3.0 * (0.4 + 7.0 * 0.675));
   EXPECT_EQ(statistics.bytes, 5u * 8u + 8u * 4u);
+}
+
+TEST(TreeStatistics, TellTheLevelsOfATreeApart) {
+  const std::vector<Node> nodes = {
+      SplitNode(Axis::X, 1.0f, 2),  // cell of area 40
+      LeafNode(0, 1),               // area 16
+      SplitNode(Axis::Y, 0.5f, 2),  // area 32
+      LeafNode(1, 0),               // area 17
+      LeafNode(1, 7),               // area 27
+  };
+  const std::vector<LevelStatistics> levels = treeStatistics(nodes, kBounds, kCost).levels;
+  ASSERT_EQ(levels.size(), 3u);
+  EXPECT_EQ(levels[0].splitNodeCount, 1u);
+  EXPECT_EQ(levels[0].leafNodeCount, 0u);
+  EXPECT_DOUBLE_EQ(levels[0].traversalCost, 2.0);
+  EXPECT_EQ(levels[0].intersectionCost, 0.0);
+
+  EXPECT_EQ(levels[1].splitNodeCount, 1u);
+  EXPECT_EQ(levels[1].leafNodeCount, 1u);
+  EXPECT_EQ(levels[1].emptyLeafCount, 0u);
+  EXPECT_EQ(levels[1].referenceCount, 1u);
+  EXPECT_DOUBLE_EQ(levels[1].traversalCost, 2.0 * 32.0 / 40.0);
+  EXPECT_DOUBLE_EQ(levels[1].intersectionCost, 3.0 * 16.0 / 40.0);
+
+  EXPECT_EQ(levels[2].splitNodeCount, 0u);
+  EXPECT_EQ(levels[2].leafNodeCount, 2u);
+  EXPECT_EQ(levels[2].emptyLeafCount, 1u);
+  EXPECT_EQ(levels[2].referenceCount, 7u);
+  EXPECT_DOUBLE_EQ(levels[2].intersectionCost, 3.0 * 7.0 * 27.0 / 40.0);
+}
+
+TEST(TreeStatistics, CountLeavesBySizeAndNameOnlyTheSizesThatOccur) {
+  const std::vector<Node> nodes = {SplitNode(Axis::X, 1.0f, 2),
+                                   LeafNode(0, 0),
+                                   SplitNode(Axis::X, 2.0f, 2),
+                                   LeafNode(0, 100'000),
+                                   SplitNode(Axis::X, 3.0f, 2),
+                                   LeafNode(0, 3),
+                                   SplitNode(Axis::X, 3.5f, 2),
+                                   LeafNode(0, 100'000),
+                                   LeafNode(0, 0)};
+  const std::vector<LeafSizeCount> sizes = treeStatistics(nodes, kBounds, kCost).leafSizes;
+  ASSERT_EQ(sizes.size(), 3u);
+  EXPECT_EQ(sizes[0].objectCount, 0u);
+  EXPECT_EQ(sizes[0].leafCount, 2u);
+  EXPECT_EQ(sizes[1].objectCount, 3u);
+  EXPECT_EQ(sizes[1].leafCount, 1u);
+  EXPECT_EQ(sizes[2].objectCount, 100'000u);
+  EXPECT_EQ(sizes[2].leafCount, 2u);
 }
 
 TEST(TreeStatistics, CountsEveryCellAsMetInBoundsWithoutArea) {

@@ -149,7 +149,8 @@ void expectJudgedRight(const Arrays& arrays) {
   if (!isAccepted)
     return;
   EXPECT_TRUE(SlowCheck(arrays).holds());
-  const TreeStatistics statistics = treeStatistics(arrays.nodes, arrays.bounds, CostModel{});
+  const TreeStatistics statistics =
+      treeStatistics(arrays.nodes, arrays.bounds, {.traversalCost = 1.5, .intersectionCost = 1.0});
   EXPECT_EQ(statistics.splitNodeCount + statistics.leafNodeCount, arrays.nodes.size());
   EXPECT_LE(statistics.depth, kMaxTreeDepth);
 }

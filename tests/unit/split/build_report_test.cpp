@@ -280,13 +280,19 @@ TEST(BuildTree, PassesOnWhatShapesThrow) {
   }
 }
 
-TEST(BuildReport, HasTimesThatAddUp) {
+TEST(BuildReport, HasPhasesThatAddUp) {
   test::MeshGenerator generator(1);
   const auto tree = buildTree(generator.soupOfAnyCoordinates<float>(2000, 0.1f));
   const BuildReport& report = tree.report();
-  EXPECT_GE(report.boundSeconds, 0.0);
-  EXPECT_GE(report.splitSeconds, 0.0);
-  EXPECT_GE(report.totalSeconds, report.boundSeconds + report.splitSeconds);
+  ASSERT_FALSE(report.phases.empty());
+  EXPECT_EQ(report.phases.front().name, "bound");
+  double sum = 0.0;
+  for (const BuildPhase& phase : report.phases) {
+    EXPECT_FALSE(phase.name.empty());
+    EXPECT_GE(phase.seconds, 0.0);
+    sum += phase.seconds;
+  }
+  EXPECT_NEAR(report.totalSeconds, sum, 1e-9);
 }
 
 }  // namespace
