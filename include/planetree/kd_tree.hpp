@@ -6,6 +6,7 @@
 #include <planetree/node/node.hpp>
 #include <planetree/node/tree_statistics.hpp>
 #include <planetree/object.hpp>
+#include <planetree/traversal/explain_intersection.hpp>
 #include <planetree/traversal/find_intersection.hpp>
 #include <planetree/traversal/leaf_node_intersection.hpp>
 #include <planetree/traversal/split_node_intersection.hpp>
@@ -23,9 +24,9 @@ namespace planetree {
 /// A kd-tree over objects, made by `buildTree` and never changed after. It answers which object a
 /// ray hits first, and whether it hits any.
 ///
-/// Every query is `noexcept`, allocates nothing, and may be made from any number of threads at
-/// once. Copies are cheap: they share one tree. The coordinates within which no hit is missed are
-/// in docs/limits.md.
+/// Every query may be made from any number of threads at once; all but the explained ones are
+/// `noexcept` and allocate nothing. Copies are cheap: they share one tree. The coordinates within
+/// which no hit is missed are in docs/limits.md.
 template <Object O>
 class KdTree {
  public:
@@ -66,6 +67,16 @@ class KdTree {
   [[nodiscard]] bool isOccluded(const Ray<Scalar>& ray, StepCounts& steps,
                                 const QueryOptions& options = {}) const noexcept {
     return planetree::isOccluded(view(), ray, options, &steps);
+  }
+
+  /// The same searches, told step by step, for looking at single rays. These allocate.
+  [[nodiscard]] Walk<Scalar> explainIntersection(const Ray<Scalar>& ray,
+                                                 const QueryOptions& options = {}) const {
+    return planetree::explainIntersection(view(), ray, options);
+  }
+  [[nodiscard]] Walk<Scalar> explainOcclusion(const Ray<Scalar>& ray,
+                                              const QueryOptions& options = {}) const {
+    return planetree::explainOcclusion(view(), ray, options);
   }
 
   // --- geometry ---

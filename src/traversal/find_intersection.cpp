@@ -12,8 +12,8 @@ bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& opti
   query.mask = options.mask;
   const Node& root = tree.nodes.front();
   const Interval<T> part = query.partInsideTree();
-  return steps ? detail::traverse<Goal>(root, query, part, hit, detail::Counting{*steps})
-               : detail::traverse<Goal>(root, query, part, hit, detail::NoCounting{});
+  return steps ? detail::traverse<Goal>(root, query, part, hit, detail::Counting(*steps))
+               : detail::traverse<Goal>(root, query, part, hit, detail::Unobserved{});
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ bool findIntersection(const LeafNode& leaf, const TreeView<T>& tree, const Ray<T
   const detail::Query<T> query(tree, r, tMin, tMax);
   if (query.partInsideTree().isEmpty())
     return false;
-  detail::NoCounting counter;
-  return detail::visitLeaf<detail::NearestHit>(leaf, query, i, counter);
+  detail::Unobserved unobserved;
+  return detail::visitLeaf<detail::NearestHit>(leaf, query, i, unobserved);
 }
 
 template bool findIntersection(const LeafNode&, const TreeView<float>&, const Rayf&, Hitf&, float,

@@ -17,7 +17,7 @@ bool searchChildren(const SplitNode& split, const TreeView<T>& tree, const Ray<T
     return false;
   return choose(orderChildren(split, query.ray, part), [&](const Node& child,
                                                            const Interval<T>& childPart) {
-    return detail::traverse<detail::NearestHit>(child, query, childPart, i, detail::NoCounting{});
+    return detail::traverse<detail::NearestHit>(child, query, childPart, i, detail::Unobserved{});
   });
 }
 
@@ -66,7 +66,7 @@ bool calculateAsNearParallel(const SplitNode& split, const TreeView<T>& tree, co
        {std::pair(&split.left(), height), std::pair(&split.right(), -height)}) {
     const bool isInside = distance <= query.ray.distanceSlack;
     if (isInside) {
-      found |= detail::traverse<detail::NearestHit>(*child, query, part, i, detail::NoCounting{});
+      found |= detail::traverse<detail::NearestHit>(*child, query, part, i, detail::Unobserved{});
     }
   }
   return found;

@@ -29,19 +29,47 @@ struct AnyHit {
   static constexpr bool kStopsAtAnyHit = true;
 };
 
-/// Counts nothing and costs nothing.
-struct NoCounting {
-  void visitSplit() noexcept {}
-  void visitLeaf() noexcept {}
-  void testObjects(std::uint32_t) noexcept {}
+template <class T>
+struct Query;
+
+/// What an observer is told of a search; this one listens to nothing and costs nothing.
+struct Unobserved {
+  static constexpr bool kMayThrow = false;
+
+  /// The search is at a split, and goes on in the children as `order` says.
+  template <class T>
+  void visitSplit(const Node&, const Interval<T>&, const ChildOrder<T>&) noexcept {}
+  template <class T>
+  void visitLeaf(const Node&, const Interval<T>&) noexcept {}
+  /// Of a run of the leaf's objects, so many have been tested.
+  template <class T>
+  void testObjects(const Query<T>&, const GeometryEntry<T>&, const LeafRun&,
+                   std::uint32_t) noexcept {}
+  /// A child that waited lies beyond the nearest hit.
+  template <class T>
+  void leaveOut(const Node&, const Interval<T>&) noexcept {}
+  /// A hit is enough; no child that still waits will be visited.
+  void stopAtHit() noexcept {}
 };
 
-struct Counting {
+struct Counting : Unobserved {
   StepCounts& steps;
 
-  void visitSplit() noexcept { ++steps.splitNodes; }
-  void visitLeaf() noexcept { ++steps.leafNodes; }
-  void testObjects(std::uint32_t count) noexcept { steps.objects += count; }
+  explicit Counting(StepCounts& counts) noexcept : steps(counts) {}
+
+  template <class T>
+  void visitSplit(const Node&, const Interval<T>&, const ChildOrder<T>&) noexcept {
+    ++steps.splitNodes;
+  }
+  template <class T>
+  void visitLeaf(const Node&, const Interval<T>&) noexcept {
+    ++steps.leafNodes;
+  }
+  template <class T>
+  void testObjects(const Query<T>&, const GeometryEntry<T>&, const LeafRun&,
+                   std::uint32_t testedCount) noexcept {
+    steps.objects += testedCount;
+  }
 };
 
 /// A ray on its way through one tree.
@@ -70,9 +98,9 @@ struct Query {
 };
 
 /// Tests the objects of a leaf, one run per geometry. Returns whether `hit` was replaced.
-template <class Goal, class Counter, class T>
+template <class Goal, class Observer, class T>
 bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
-               Counter& counter) noexcept {
+               Observer& observer) noexcept(!Observer::kMayThrow) {
   const auto geometries = query.tree.geometries;
   auto rest = query.tree.references.subspan(leaf.firstReference(), leaf.count());
   bool found = false;
@@ -96,7 +124,7 @@ bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
         Goal::kStopsAtAnyHit
             ? entry.intersecting->findAny(entry.range, run, query.ray.sheared, tMin, tMax)
             : entry.intersecting->findNearest(entry.range, run, query.ray.sheared, tMin, tMax, hit);
-    counter.testObjects(answer.testedCount);
+    observer.testObjects(query, entry, run, answer.testedCount);
     found |= answer.found;
     if (Goal::kStopsAtAnyHit && found)
       return true;
@@ -106,9 +134,9 @@ bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
 
 /// Visits, front to back, the leaves below `start` that the ray may meet within `part`, as long as
 /// they may hold a hit before `hit`. Returns whether there was one.
-template <class Goal, class Counter, class T>
+template <class Goal, class Observer, class T>
 bool traverse(const Node& start, const Query<T>& query, Interval<T> part, Hit<T>& hit,
-              Counter counter) noexcept {
+              Observer observer) noexcept(!Observer::kMayThrow) {
   struct FarChild {
     const Node* node;
     Interval<T> part;
@@ -122,8 +150,8 @@ bool traverse(const Node& start, const Query<T>& query, Interval<T> part, Hit<T>
 
   while (true) {
     while (!node->isLeaf()) {
-      counter.visitSplit();
       const ChildOrder<T> order = orderChildren(node->split(), query.ray, part);
+      observer.visitSplit(*node, part, order);
       if (order.visitsNear && order.visitsFar) {
         PLANETREE_ASSERT(stackSize < stack.size());
         stack[stackSize++] = {order.far, order.farPart};
@@ -132,18 +160,23 @@ bool traverse(const Node& start, const Query<T>& query, Interval<T> part, Hit<T>
       part = order.visitsNear ? order.nearPart : order.farPart;
     }
 
-    counter.visitLeaf();
-    found |= visitLeaf<Goal>(node->leaf(), query, hit, counter);
-    if (Goal::kStopsAtAnyHit && found)
+    observer.visitLeaf(*node, part);
+    found |= visitLeaf<Goal>(node->leaf(), query, hit, observer);
+    if (Goal::kStopsAtAnyHit && found) {
+      observer.stopAtHit();
       return true;
+    }
 
     // A hit may lie beyond the leaf it was found in, so the search ends only where the next cell
     // begins beyond it; at the same t a lower id may still win.
-    do {
+    while (true) {
       if (stackSize == 0)
         return found;
       --stackSize;
-    } while (stack[stackSize].part.tMin > hit.t);
+      if (!(stack[stackSize].part.tMin > hit.t))
+        break;
+      observer.leaveOut(*stack[stackSize].node, stack[stackSize].part);
+    }
     node = stack[stackSize].node;
     part = stack[stackSize].part;
   }
