@@ -22,27 +22,6 @@ TEST_F(Usage, HelpGoesToStandardOutputWithExamples) {
   }
 }
 
-TEST_F(Usage, HelpNamesEveryOption) {
-  const std::string help = run({"render", "--help"}).out;
-  for (const char* option :
-       {"MODEL", "-o,--output", "--size WxH=800x600", "--mode ao|normals|depth|heat=ao",
-        "--samples N=8", "--seed", "--camera ex,ey,ez,ax,ay,az[,fov]", "--fov DEGREES=40",
-        "--up y|z", "--preset default|textbook", "--leaf-size", "--depth-limit", "--threads",
-        "-q,--quiet"}) {
-    EXPECT_NE(help.find(option), std::string::npos) << option;
-  }
-}
-
-TEST_F(Usage, HelpFitsIntoTheWidthOfATerminal) {
-  const std::string help = run({"render", "--help"}).out;
-  std::size_t lineStart = 0;
-  for (std::size_t end = help.find('\n'); end != std::string::npos;
-       end = help.find('\n', lineStart)) {
-    EXPECT_LE(end - lineStart, 100u) << help.substr(lineStart, end - lineStart);
-    lineStart = end + 1;
-  }
-}
-
 TEST_F(Usage, VersionGoesToStandardOutput) {
   const ToolResult result = run({"--version"});
   EXPECT_EQ(result.status, 0);

@@ -6,52 +6,185 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <optional>
+#include <string_view>
 
 namespace planetree::tool {
 
 namespace {
 
 constexpr std::uint64_t kMaxThreadCount = 1024;
+constexpr std::uint64_t kLargestCount = std::numeric_limits<std::uint32_t>::max();
+
+std::string text(std::uint32_t number) {
+  return fmt::format("{}", number);
+}
+
+std::string text(double number) {
+  return fmt::format("{:g}", number);
+}
+
+std::string text(bool isOn) {
+  return std::string(switchName(isOn));
+}
+
+std::string text(PlanarRule rule) {
+  return std::string(planarRuleName(rule));
+}
+
+std::string text(std::optional<std::uint32_t> depthLimit) {
+  return depthLimit ? text(*depthLimit) : "by the number of objects";
+}
+
+/// Adds the option for one member of `BuildOptions`, which `member` picks. The values of the
+/// presets that the help shows are those of the library.
+template <class Member, class Parse>
+CLI::Option* addTreeOption(CLI::App& app, TreeOptions& options, const std::string& name,
+                           const Member& member, const Parse& parse,
+                           const std::string& description) {
+  BuildOptions defaults;
+  BuildOptions textbook = BuildOptions::textbook();
+  const std::string presets =
+      fmt::format(" (default {}, textbook {})", text(member(defaults)), text(member(textbook)));
+  return app
+      .add_option_function<std::string>(
+          name,
+          [&options, member, parse, name](const std::string& text) {
+            const auto value = parse(OptionText{name, text});
+            options.changes.push_back(
+                [member, value](BuildOptions& build) { member(build) = value; });
+          },
+          description + presets)
+      ->group("Tree");
+}
+
+auto wholeNumberFrom(std::uint64_t lowest, std::uint64_t highest) {
+  return [lowest, highest](const OptionText& option) {
+    return static_cast<std::uint32_t>(parseWholeNumber(option, lowest, highest));
+  };
+}
+
+void addLeafOptions(CLI::App& app, TreeOptions& options) {
+  addTreeOption(
+      app, options, "--leaf-size", [](BuildOptions & build) -> auto& { return build.leafSize; },
+      wholeNumberFrom(0, kLargestCount), "Make a leaf of this many objects or fewer")
+      ->type_name("N");
+  addTreeOption(
+      app, options, "--depth-limit", [](BuildOptions & build) -> auto& { return build.depthLimit; },
+      wholeNumberFrom(1, kMaxTreeDepth),
+      fmt::format("Most levels of the tree, from 1 to {}", kMaxTreeDepth))
+      ->type_name("N");
+  addTreeOption(
+      app, options, "--stops-by-cost",
+      [](BuildOptions & build) -> auto& { return build.stopsByCost; }, parseSwitch,
+      "Make a leaf where no split is expected to be cheaper")
+      ->type_name("on|off");
+}
+
+void addCostOptions(CLI::App& app, TreeOptions& options) {
+  addTreeOption(
+      app, options, "--traversal-cost",
+      [](BuildOptions & build) -> auto& { return build.cost.traversalCost; }, parseCost,
+      "What a ray is believed to pay for a split node; only the ratio of the two costs matters")
+      ->type_name("COST");
+  addTreeOption(
+      app, options, "--intersection-cost",
+      [](BuildOptions & build) -> auto& { return build.cost.intersectionCost; }, parseCost,
+      "What it is believed to pay for an object in a leaf")
+      ->type_name("COST");
+  addTreeOption(
+      app, options, "--empty-bonus",
+      [](BuildOptions & build) -> auto& { return build.cost.emptyBonus; }, parsePart,
+      "The part of a split's cost that is forgiven if one side is empty, from 0 to less than 1")
+      ->type_name("PART");
+}
+
+void addSplitOptions(CLI::App& app, TreeOptions& options) {
+  addTreeOption(
+      app, options, "--allows-empty-cells",
+      [](BuildOptions & build) -> auto& { return build.allowsEmptyCells; }, parseSwitch,
+      "Let splits cut off empty space")
+      ->type_name("on|off");
+  addTreeOption(
+      app, options, "--clips-references",
+      [](BuildOptions & build) -> auto& { return build.clipsReferences; }, parseSwitch,
+      "Count an object only in cells that its surface touches, not its box alone")
+      ->type_name("on|off");
+  addTreeOption(
+      app, options, "--planar-rule", [](BuildOptions & build) -> auto& { return build.planarRule; },
+      parsePlanarRule, "Which side of a split gets the objects that lie in its plane")
+      ->type_name("cheaper-side|normal-sign");
+  addTreeOption(
+      app, options, "--references-per-object",
+      [](BuildOptions & build) -> auto& { return build.referencesPerObject; },
+      wholeNumberFrom(0, kLargestCount),
+      "How many cells may hold an object, on average; 0 sets no bound")
+      ->type_name("N");
+}
 
 }  // namespace
 
-// Descriptions are broken by hand: the help is not wrapped otherwise.
-
 void addTreeOptions(CLI::App& app, TreeOptions& options) {
-  const std::string tree = "Tree";
   addValue(app, "--preset", options.preset, parsePreset,
-           "Build rules: default, or textbook for the rules as taught")
+           "Build rules: default, or textbook for the rules as taught; the options below change "
+           "single rules of it")
       ->type_name("default|textbook")
       ->default_str("default")
-      ->group(tree);
-  addWholeNumber(app, "--leaf-size", options.leafSize, 0, std::numeric_limits<std::uint32_t>::max(),
-                 "Make leaves of this many objects or fewer; otherwise as\n"
-                 "the preset says")
-      ->group(tree);
-  addWholeNumber(app, "--depth-limit", options.depthLimit, 1, kMaxTreeDepth,
-                 "Most levels of the tree; otherwise as the preset says")
-      ->group(tree);
+      ->group("Tree");
+  addLeafOptions(app, options);
+  addCostOptions(app, options);
+  addSplitOptions(app, options);
+}
+
+void addQueryOptions(CLI::App& app, QueryOptions& options) {
+  addValue(app, "--mask", options.mask, parseMask,
+           "See only geometries whose mask shares a bit with this one; models have all bits set")
+      ->type_name("BITS")
+      ->default_str(fmt::format("{:#x}", options.mask))
+      ->group("Query");
+}
+
+void addRayLimits(CLI::App& app, RayLimits& limits) {
+  addValue(app, "--t-min", limits.tMin, parseDistance,
+           "Where rays begin that do not say so themselves, in units of the direction's length")
+      ->type_name("T")
+      ->default_str(fmt::format("{:g}", limits.tMin))
+      ->group("Query");
+  addValue(app, "--t-max", limits.tMax, parseDistance, "Where they end")
+      ->type_name("T")
+      ->default_str(fmt::format("{:g}", limits.tMax))
+      ->group("Query");
 }
 
 void addRunOptions(CLI::App& app, RunOptions& options) {
-  const std::string run = "Run";
   addWholeNumber(app, "--threads", options.threadCount, 0, kMaxThreadCount,
-                 "Threads to use; 0 is as many as the machine has. The\n"
-                 "result is the same for any number")
+                 "Threads to use; 0 is as many as the machine has. The result is the same for any "
+                 "number")
       ->default_str(fmt::format("{}", options.threadCount))
-      ->group(run);
-  app.add_flag("-q,--quiet", options.isQuiet, "Say nothing but errors")->group(run);
+      ->group("Run");
+  app.add_flag("-q,--quiet", options.isQuiet, "Say nothing but errors")->group("Run");
+}
+
+void addJsonOption(CLI::App& app, RunOptions& options) {
+  app.add_flag("--json", options.isJson,
+               "Print the figures as JSON: on standard output, or on standard error, alone, where "
+               "data goes to standard output")
+      ->group("Run");
 }
 
 BuildOptions buildOptions(const TreeOptions& tree, const RunOptions& run) {
   BuildOptions options = tree.preset;
+  for (const auto& change : tree.changes)
+    change(options);
   options.threadCount = run.threadCount;
-  if (tree.leafSize)
-    options.leafSize = *tree.leafSize;
-  if (tree.depthLimit)
-    options.depthLimit = tree.depthLimit;
   return options;
+}
+
+void checkRayLimits(const RayLimits& limits) {
+  if (limits.tMin > limits.tMax) {
+    throw UsageError(fmt::format("--t-min {:g}: rays end at {:g}", limits.tMin, limits.tMax),
+                     "Give a smaller --t-min, or a larger --t-max.");
+  }
 }
 
 std::filesystem::path parsePath(const OptionText& option) {

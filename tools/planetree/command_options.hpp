@@ -3,36 +3,58 @@
 #include "option_values.hpp"
 
 #include <planetree/split/build_options.hpp>
+#include <planetree/traversal/query_options.hpp>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <functional>
+#include <limits>
 #include <string>
+#include <vector>
 
 /// Options that have the same names, values and words in every subcommand.
+///
+/// What stands behind an option's name says what it takes, to people and to the completions alike:
+/// "a|b" is one of these words, FILE a file, MODEL a model; see option_syntax.hpp.
 namespace planetree::tool {
 
 /// How the tree is to be built.
 struct TreeOptions {
   BuildOptions preset;
-  std::optional<std::uint32_t> leafSize;
-  std::optional<std::uint32_t> depthLimit;
+  std::vector<std::function<void(BuildOptions&)>> changes;  ///< to the preset
+};
+
+/// Where a ray begins and ends, unless it says so itself.
+struct RayLimits {
+  double tMin = 0.0;
+  double tMax = std::numeric_limits<double>::infinity();
 };
 
 /// How the tool is to run.
 struct RunOptions {
   std::uint32_t threadCount = 0;
   bool isQuiet = false;
+  bool isJson = false;
 };
 
+/// One option for each member of `BuildOptions`, under its name.
 void addTreeOptions(CLI::App& app, TreeOptions& options);
+/// One option for each member of `QueryOptions`.
+void addQueryOptions(CLI::App& app, QueryOptions& options);
+void addRayLimits(CLI::App& app, RayLimits& limits);
+/// --threads and --quiet.
 void addRunOptions(CLI::App& app, RunOptions& options);
+/// --json, for subcommands that print with `printJson` what they otherwise say.
+void addJsonOption(CLI::App& app, RunOptions& options);
 
 /// The preset with everything that was asked for besides.
 [[nodiscard]] BuildOptions buildOptions(const TreeOptions& tree, const RunOptions& run);
+
+/// Throws `UsageError` if nothing lies between the limits.
+void checkRayLimits(const RayLimits& limits);
 
 /// The path of a file; `UsageError` if it is empty.
 [[nodiscard]] std::filesystem::path parsePath(const OptionText& option);

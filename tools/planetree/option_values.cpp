@@ -33,10 +33,10 @@ std::string_view withoutBlanks(std::string_view text) {
 
 /// The number that the whole text spells, or nothing. Does not depend on the locale.
 template <class Number>
-std::optional<Number> numberFrom(std::string_view text) {
+std::optional<Number> numberFrom(std::string_view text, auto... base) {
   Number number{};
   const char* const end = text.data() + text.size();
-  const auto [parsedEnd, error] = std::from_chars(text.data(), end, number);
+  const auto [parsedEnd, error] = std::from_chars(text.data(), end, number, base...);
   if (error != std::errc{} || parsedEnd != end)
     return std::nullopt;
   return number;
@@ -61,10 +61,16 @@ std::string fovAdvice() {
   return fmt::format("Give an angle from {} to {} degrees, such as 40.", kNarrowestFov, kWidestFov);
 }
 
+template <class Value, std::size_t N>
+using Choices = std::array<std::pair<std::string_view, Value>, N>;
+
+constexpr Choices<PlanarRule, 2> kPlanarRules = {
+    {{"cheaper-side", PlanarRule::CheaperSide}, {"normal-sign", PlanarRule::NormalSign}}};
+constexpr Choices<bool, 2> kSwitches = {{{"on", true}, {"off", false}}};
+
 /// The value of a choice by its name.
 template <class Value, std::size_t N>
-Value choose(const OptionText& option,
-             const std::array<std::pair<std::string_view, Value>, N>& choices) {
+Value choose(const OptionText& option, const Choices<Value, N>& choices) {
   std::string names;
   for (const auto& [name, value] : choices) {
     if (name == option.text)
@@ -72,6 +78,16 @@ Value choose(const OptionText& option,
     names += (names.empty() ? "" : ", ") + std::string(name);
   }
   refuse(option, "there is no such choice", fmt::format("Give one of {}.", names));
+}
+
+/// The name of a choice by its value.
+template <class Value, std::size_t N>
+std::string_view nameOf(Value value, const Choices<Value, N>& choices) noexcept {
+  for (const auto& [name, chosen] : choices) {
+    if (chosen == value)
+      return name;
+  }
+  return {};
 }
 
 }  // namespace
@@ -83,6 +99,36 @@ std::uint64_t parseWholeNumber(const OptionText& option, std::uint64_t lowest,
     return *number;
   refuse(option, "not a whole number in range",
          fmt::format("Give a number from {} to {}.", lowest, highest));
+}
+
+double parseCost(const OptionText& option) {
+  const auto cost = numberFrom<double>(option.text);
+  if (!cost || !std::isfinite(*cost) || *cost < 0.0)
+    refuse(option, "not a cost", "Give a number of 0 or more, such as 1.5.");
+  return *cost;
+}
+
+double parsePart(const OptionText& option) {
+  const auto part = numberFrom<double>(option.text);
+  if (!part || !(*part >= 0.0 && *part < 1.0))
+    refuse(option, "not a number in range", "Give a number from 0 to less than 1, such as 0.2.");
+  return *part;
+}
+
+double parseDistance(const OptionText& option) {
+  const auto distance = numberFrom<double>(option.text);
+  if (!distance || std::isnan(*distance))
+    refuse(option, "not a distance", "Give a number, such as 0.001, or inf.");
+  return *distance;
+}
+
+std::uint32_t parseMask(const OptionText& option) {
+  const bool isHexadecimal = option.text.starts_with("0x") || option.text.starts_with("0X");
+  const auto mask = isHexadecimal ? numberFrom<std::uint32_t>(option.text.substr(2), 16)
+                                  : numberFrom<std::uint32_t>(option.text);
+  if (!mask)
+    refuse(option, "not a mask of 32 bits", "Give a whole number, such as 3 or 0xFF.");
+  return *mask;
 }
 
 render::ImageSize parseSize(const OptionText& option) {
@@ -160,8 +206,24 @@ BuildOptions parsePreset(const OptionText& option) {
       option, {{{"default", BuildOptions{}}, {"textbook", BuildOptions::textbook()}}});
 }
 
+PlanarRule parsePlanarRule(const OptionText& option) {
+  return choose(option, kPlanarRules);
+}
+
+bool parseSwitch(const OptionText& option) {
+  return choose(option, kSwitches);
+}
+
 TableFormat parseTableFormat(const OptionText& option) {
   return choose<TableFormat, 2>(option, {{{"csv", TableFormat::Csv}, {"npy", TableFormat::Npy}}});
+}
+
+std::string_view planarRuleName(PlanarRule rule) noexcept {
+  return nameOf(rule, kPlanarRules);
+}
+
+std::string_view switchName(bool isOn) noexcept {
+  return nameOf(isOn, kSwitches);
 }
 
 }  // namespace planetree::tool

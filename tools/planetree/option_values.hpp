@@ -38,6 +38,15 @@ inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 [[nodiscard]] std::uint64_t parseWholeNumber(const OptionText& option, std::uint64_t lowest,
                                              std::uint64_t highest);
 
+/// A cost that `CostModel` takes: not negative, and finite.
+[[nodiscard]] double parseCost(const OptionText& option);
+/// A part of the whole: from 0 to less than 1.
+[[nodiscard]] double parsePart(const OptionText& option);
+/// A distance along a ray. It may be infinite, but must be a number.
+[[nodiscard]] double parseDistance(const OptionText& option);
+/// 32 bits, in decimal or as "0xFF".
+[[nodiscard]] std::uint32_t parseMask(const OptionText& option);
+
 /// "800x600": neither side is zero, and not too many pixels in all.
 [[nodiscard]] render::ImageSize parseSize(const OptionText& option);
 
@@ -53,6 +62,13 @@ inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 [[nodiscard]] render::RenderMode parseMode(const OptionText& option);
 [[nodiscard]] render::UpAxis parseUpAxis(const OptionText& option);
 [[nodiscard]] BuildOptions parsePreset(const OptionText& option);
+[[nodiscard]] PlanarRule parsePlanarRule(const OptionText& option);
+/// "on" or "off".
+[[nodiscard]] bool parseSwitch(const OptionText& option);
 [[nodiscard]] TableFormat parseTableFormat(const OptionText& option);
+
+/// The names that `parsePlanarRule` and `parseSwitch` read.
+[[nodiscard]] std::string_view planarRuleName(PlanarRule rule) noexcept;
+[[nodiscard]] std::string_view switchName(bool isOn) noexcept;
 
 }  // namespace planetree::tool

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -84,6 +85,7 @@ void refuseToReplace(const fs::path& input, std::string_view what, const fs::pat
 }
 
 void checkOptionsAgree(const TraceCommand& command) {
+  checkRayLimits(command.limits);
   refuseToReplace(command.model, "the model", command.hits);
   refuseToReplace(command.rays, "the file of the rays", command.hits);
   const auto promised = formatOfName(command.hits);
@@ -123,24 +125,30 @@ struct Summary {
   const TraceCommand& command;
   TableFormat format;
   bool isDouble;
-  BuildReport build;
+  Json mesh;
+  Json build;
+  Json tree;
   TraceReport trace;
   double traceSeconds;
 };
 
-std::string summaryJson(const Summary& summary) {
+Json summaryJson(const Summary& summary) {
   const TraceCommand& command = summary.command;
-  return fmt::format(
-      R"({{"model": {}, "rays": {}, "hits": {}, "format": "{}", "query": "{}", "precision": "{}", )"
-      R"("triangle_count": {}, "skipped_triangle_count": {}, "ray_count": {}, "hit_count": {}, )"
-      R"("invalid_ray_count": {}, "build_seconds": {}, "trace_seconds": {}}})"
-      "\n",
-      jsonString(command.model.string()), jsonString(command.rays.string()),
-      jsonString(command.hits.string()), formatName(summary.format),
-      command.isAnyHit ? "any" : "closest", summary.isDouble ? "double" : "float",
-      summary.build.objectCount, summary.build.skippedCount, summary.trace.rayCount,
-      summary.trace.hitCount, summary.trace.invalidRayCount, summary.build.totalSeconds,
-      summary.traceSeconds);
+  return {
+      {"model", command.model.string()},
+      {"rays", command.rays.string()},
+      {"hits", command.hits.string()},
+      {"format", formatName(summary.format)},
+      {"query", command.isAnyHit ? "any" : "closest"},
+      {"precision", summary.isDouble ? "double" : "float"},
+      {"mesh", summary.mesh},
+      {"build", summary.build},
+      {"tree", summary.tree},
+      {"ray_count", summary.trace.rayCount},
+      {"hit_count", summary.trace.hitCount},
+      {"invalid_ray_count", summary.trace.invalidRayCount},
+      {"trace_seconds", summary.traceSeconds},
+  };
 }
 
 void saySummary(const Talk& talk, const Summary& summary) {
@@ -161,17 +169,7 @@ void saySummary(const Talk& talk, const Summary& summary) {
 
 /// Standard output carries the hits or the summary, never both.
 bool isJsonOnStandardError(const TraceCommand& command) {
-  return command.isJson && command.hits == kStandardOutput;
-}
-
-void printJson(const Summary& summary) {
-  const std::string json = summaryJson(summary);
-  if (isJsonOnStandardError(summary.command)) {
-    printToStandardError(json);
-    return;
-  }
-  const auto always = [] { return true; };
-  writeFile(kStandardOutput, std::as_bytes(std::span(json)), always);
+  return command.run.isJson && command.hits == kStandardOutput;
 }
 
 int sayInterrupted(const TraceCommand& command) {
@@ -195,7 +193,11 @@ template <std::floating_point T>
 int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, const Talk& talk) {
   Model<T> model = readModel<T>(command.model, talk);
   checkIdsFit(model.mesh.faces.size(), model.name);
-  const auto tree = buildModelTree(std::move(model), buildOptions(command.tree, command.run), talk);
+  const MeshSize size{.faceCount = model.mesh.faces.size(),
+                      .vertexCount = model.mesh.positions.size()};
+  Json mesh = meshJson(size, model.report);
+  const BuildOptions build = buildOptions(command.tree, command.run);
+  const auto tree = buildModelTree(std::move(model), build, talk);
   const Interruption interruption;
   const auto isWanted = [&] { return !interruption.isRequested(); };
   OutputFile hits(command.hits, isWanted);
@@ -207,6 +209,8 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
     ProgressLine progress("tracing", !talk.isQuiet());
     report = traceRays(tree, rays, hits,
                        {.query = command.isAnyHit ? RayQuery::AnyHit : RayQuery::ClosestHit,
+                        .options = command.query,
+                        .limits = command.limits,
                         .format = format,
                         .threadCount = command.run.threadCount,
                         .keepsGoing = isWanted,
@@ -219,16 +223,16 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
       .command = command,
       .format = format,
       .isDouble = std::same_as<T, double>,
-      .build = tree.report(),
+      .mesh = std::move(mesh),
+      .build = buildJson(build, tree.report()),
+      .tree = treeJson(tree.statistics()),
       .trace = report,
       .traceSeconds = std::chrono::duration<double>(Clock::now() - start).count()};
   saySummary(talk, summary);
-  if (command.isJson)
-    printJson(summary);
+  if (command.run.isJson)
+    printJson(summaryJson(summary), isJsonOnStandardError(command));
   return kDone;
 }
-
-// Descriptions are broken by hand: the help is not wrapped otherwise.
 
 void addTableOptions(CLI::App& app, TraceCommand& command) {
   addValue(app, "MODEL", command.model, parsePath,
@@ -236,23 +240,23 @@ void addTableOptions(CLI::App& app, TraceCommand& command) {
       ->required()
       ->type_name("");
   addValue(app, "RAYS", command.rays, parsePath,
-           "Rays as CSV or .npy, told apart by content; - is standard\n"
+           "Rays as CSV or .npy, told apart by content; - is standard "
            "input")
       ->required()
       ->type_name("");
   addValue(app, "-o,--output", command.hits, parsePath,
-           "File for the hits, replacing an older one; - is standard\n"
+           "File for the hits, replacing an older one; - is standard "
            "output")
       ->type_name("FILE")
       ->default_str(kStandardOutput);
   addValue(app, "--format", command.format, parseTableFormat,
-           "Format of the hits; otherwise as the name of the file\n"
+           "Format of the hits; otherwise as the name of the file "
            "says, or that of the rays")
       ->type_name("csv|npy");
   app.add_flag("--any", command.isAnyHit,
                "Find only whether each ray hits anything, which is faster");
   app.add_flag("--double", command.isDouble,
-               "Read the model and trace in double, as float64 rays do\n"
+               "Read the model and trace in double, as float64 rays do "
                "by themselves");
 }
 
@@ -262,13 +266,11 @@ CLI::App* addTraceCommand(CLI::App& app, TraceCommand& command) {
   CLI::App& trace = *app.add_subcommand("trace", "Find what the rays of a file hit");
   trace.footer(kFooter);
   addTableOptions(trace, command);
+  addQueryOptions(trace, command.query);
+  addRayLimits(trace, command.limits);
   addTreeOptions(trace, command.tree);
   addRunOptions(trace, command.run);
-  trace
-      .add_flag("--json", command.isJson,
-                "Print a summary of the run as JSON: on standard output,\n"
-                "or on standard error if the hits go to standard output")
-      ->group("Run");
+  addJsonOption(trace, command.run);
   return &trace;
 }
 

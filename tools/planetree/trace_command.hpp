@@ -17,7 +17,8 @@ struct TraceCommand {
   std::optional<TableFormat> format;
   bool isAnyHit = false;
   bool isDouble = false;
-  bool isJson = false;
+  QueryOptions query;
+  RayLimits limits;
   TreeOptions tree;
   RunOptions run;
 };

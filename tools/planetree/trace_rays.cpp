@@ -26,6 +26,9 @@ namespace {
 /// write.
 constexpr std::size_t kBlocksPerThread = 4;
 
+/// Origin and direction, and nothing besides.
+constexpr std::size_t kColumnsWithoutLimits = 6;
+
 /// A block on its way from the rays to the hits.
 struct Parcel {
   RayBlock rays;
@@ -53,13 +56,23 @@ std::vector<Ray<T>> decode(const RayReader& reader, const RayBlock& block) {
 }
 
 template <class T>
-void answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, Hit<T>& hit) noexcept {
-  hit = tree.findIntersection(ray).value_or(Hit<T>{});
+void setLimits(std::vector<Ray<T>>& rays, const RayLimits& limits) {
+  for (Ray<T>& ray : rays) {
+    ray.tMin = static_cast<T>(limits.tMin);
+    ray.tMax = static_cast<T>(limits.tMax);
+  }
 }
 
 template <class T>
-void answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, Occlusion& occlusion) noexcept {
-  occlusion.isHit = tree.isOccluded(ray);
+void answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, const QueryOptions& options,
+            Hit<T>& hit) noexcept {
+  hit = tree.findIntersection(ray, options).value_or(Hit<T>{});
+}
+
+template <class T>
+void answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, const QueryOptions& options,
+            Occlusion& occlusion) noexcept {
+  occlusion.isHit = tree.isOccluded(ray, options);
 }
 
 template <class T>
@@ -152,10 +165,12 @@ class Tracing {
     if (parcel.fault)
       return;
     try {
-      const std::vector<Ray<T>> rays = decode<T>(rays_, parcel.rays);
+      std::vector<Ray<T>> rays = decode<T>(rays_, parcel.rays);
+      if (parcel.rays.columnCount == kColumnsWithoutLimits)
+        setLimits(rays, settings_.limits);
       std::vector<Answer> answers(rays.size());
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        answer(tree_, rays[i], answers[i]);
+        answer(tree_, rays[i], settings_.options, answers[i]);
         parcel.report.hitCount += isHit(answers[i]) ? 1u : 0u;
         parcel.report.invalidRayCount += isValid(rays[i]) ? 0u : 1u;
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "command_options.hpp"
 #include "output_file.hpp"
 #include "ray_files/ray_reader.hpp"
 
@@ -20,6 +21,8 @@ enum class RayQuery : std::uint8_t {
 
 struct TraceSettings {
   RayQuery query = RayQuery::ClosestHit;
+  QueryOptions options;
+  RayLimits limits;  ///< of rays that bring none
   TableFormat format = TableFormat::Csv;
   std::uint32_t threadCount = 0;  ///< 0 is as many as the machine has
   KeepsGoing keepsGoing;
