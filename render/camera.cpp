@@ -45,4 +45,10 @@ Rayf PinholeCamera::ray(double x, double y) const noexcept {
   return {.origin = eye_, .direction = Vec3f(normalized(direction))};
 }
 
+Vec3d PinholeCamera::viewCoordinates(const Vec3d& point) const noexcept {
+  const Vec3d fromEye = point - Vec3d(eye_);
+  return {dot(fromEye, axes_.right) / halfWidth_, dot(fromEye, axes_.up) / halfHeight_,
+          dot(fromEye, axes_.forward)};
+}
+
 }  // namespace planetree::render

@@ -34,6 +34,13 @@ class PinholeCamera {
   /// The ray through a point of the picture: x from 0 (left) to 1, y from 0 (top) to 1.
   [[nodiscard]] Rayf ray(double x, double y) const noexcept;
 
+  /// A point as the picture has it: x / z runs from -1 (left) to 1, y / z from -1 (bottom) to 1,
+  /// and z is the depth along the view direction.
+  [[nodiscard]] Vec3d viewCoordinates(const Vec3d& point) const noexcept;
+
+  /// The height of what the picture shows, at distance 1 from the eye.
+  [[nodiscard]] double viewHeight() const noexcept { return 2.0 * halfHeight_; }
+
   [[nodiscard]] const CameraAxes& axes() const noexcept { return axes_; }
 
  private:

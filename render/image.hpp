@@ -36,6 +36,10 @@ static_assert(sizeof(Rgb8) == 3);
 
 /// The sRGB encoding of a channel that is proportional to light (IEC 61966-2-1).
 [[nodiscard]] float srgbEncoded(float linear) noexcept;
+[[nodiscard]] Vec3f srgbEncoded(const Vec3f& linear) noexcept;
+/// Its inverse.
+[[nodiscard]] float srgbDecoded(float encoded) noexcept;
+[[nodiscard]] Vec3f srgbDecoded(const Vec3f& encoded) noexcept;
 
 /// A picture, row by row from the top left.
 struct Image {
@@ -44,12 +48,15 @@ struct Image {
 
   explicit Image(ImageSize imageSize) : size(imageSize), pixels(imageSize.pixelCount()) {}
 
-  [[nodiscard]] Rgb8& at(std::uint32_t x, std::uint32_t y) noexcept {
-    return pixels[static_cast<std::size_t>(y) * size.width + x];
+  [[nodiscard]] Rgb8& at(std::uint32_t x, std::uint32_t y) noexcept { return pixels[index(x, y)]; }
+  [[nodiscard]] const Rgb8& at(std::uint32_t x, std::uint32_t y) const noexcept {
+    return pixels[index(x, y)];
+  }
+
+ private:
+  [[nodiscard]] std::size_t index(std::uint32_t x, std::uint32_t y) const noexcept {
+    return static_cast<std::size_t>(y) * size.width + x;
   }
 };
-
-/// The picture as a PNG file in memory. Throws std::bad_alloc if memory runs out.
-[[nodiscard]] std::vector<std::byte> encodePng(const Image& image);
 
 }  // namespace planetree::render

@@ -1,34 +1,25 @@
 #include "render/render_image.hpp"
 
-#include "render/film.hpp"
+#include "render/overlay/draw_cells.hpp"
+#include "render/parallel_tiles.hpp"
 #include "render/sample_points.hpp"
 #include "render/shading/ambient_occlusion.hpp"
+#include "render/shading/backdrop.hpp"
 #include "render/shading/depth.hpp"
 #include "render/shading/heat.hpp"
 #include "render/shading/normals.hpp"
 
-#include <tbb/blocked_range2d.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
-
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace planetree::render {
 
 namespace {
-
-/// Side of the square tiles that threads take on. Small enough to share the work evenly, large
-/// enough that the rays of a tile find the nodes they need in the cache.
-constexpr std::size_t kTileSide = 16;
-
-using Tile = tbb::blocked_range2d<std::uint32_t>;
 
 std::unique_ptr<Shading> makeShading(const Tracer& tracer, const RenderSettings& settings,
                                      const CameraAxes& axes) {
@@ -38,7 +29,7 @@ std::unique_ptr<Shading> makeShading(const Tracer& tracer, const RenderSettings&
     case RenderMode::Depth:
       return std::make_unique<Depth>(Vec3f(axes.forward));
     case RenderMode::Heat:
-      return std::make_unique<Heat>();
+      return std::make_unique<Heat>(settings.heatMax);
     case RenderMode::AmbientOcclusion:
       break;
   }
@@ -46,34 +37,53 @@ std::unique_ptr<Shading> makeShading(const Tracer& tracer, const RenderSettings&
                                             settings.albedos);
 }
 
+/// A colour that stands out from all that the mode can show.
+Vec3f wireColour(RenderMode mode) noexcept {
+  constexpr Vec3f kInk{0.010f, 0.035f, 0.15f};
+  constexpr Vec3f kIce{0.25f, 0.80f, 1.00f};
+  constexpr Vec3f kAmber{1.00f, 0.45f, 0.02f};
+  switch (mode) {
+    case RenderMode::Heat:
+      return kIce;
+    case RenderMode::Depth:
+      return kAmber;
+    case RenderMode::AmbientOcclusion:
+    case RenderMode::Normals:
+      break;
+  }
+  return kInk;
+}
+
 /// One rendering: everything that all tiles share.
 class TileRenderer {
  public:
-  TileRenderer(const Tracer& tracer, const RenderSettings& settings, Film& film)
+  TileRenderer(const Tracer& tracer, const RenderSettings& settings, const PinholeCamera& camera,
+               Progress& progress)
       : tracer_(tracer),
         settings_(settings),
-        film_(film),
-        camera_(settings.camera, static_cast<double>(settings.size.width) / settings.size.height),
+        camera_(camera),
+        progress_(progress),
+        film_(settings.size),
         points_(settings.samplesPerPixel, settings.seed),
         shading_(makeShading(tracer, settings, camera_.axes())) {}
 
   /// Any number of tiles at once. Does nothing after a stop.
   void render(const Tile& tile) {
     RayCounter counter(tracer_);
-    for (std::uint32_t y = tile.rows().begin(); y != tile.rows().end(); ++y) {
-      if (isStopped())
+    for (std::uint32_t y = tile.firstY; y < tile.endY; ++y) {
+      if (progress_.isStopped())
         return;
-      for (std::uint32_t x = tile.cols().begin(); x != tile.cols().end(); ++x) {
+      for (std::uint32_t x = tile.firstX; x < tile.endX; ++x) {
         film_.at(x, y) = renderPixel(counter, x, y);
       }
-      report(tile.cols().size());
+      progress_.add(tile.endX - tile.firstX);
     }
     rayCount_ += counter.rayCount();
   }
 
-  [[nodiscard]] bool isStopped() const noexcept { return isStopped_; }
   [[nodiscard]] std::uint64_t rayCount() const noexcept { return rayCount_; }
   [[nodiscard]] const Shading& shading() const noexcept { return *shading_; }
+  [[nodiscard]] Film& film() noexcept { return film_; }
 
  private:
   [[nodiscard]] FilmSample renderPixel(RayCounter& counter, std::uint32_t x,
@@ -89,57 +99,106 @@ class TileRenderer {
     return {.value = sum.value * weight, .coverage = sum.coverage * weight};
   }
 
-  void report(std::size_t pixelCount) {
-    if (!settings_.keepsGoing)
-      return;
-    const std::size_t done = pixelsDone_ += pixelCount;
-    const double part = static_cast<double>(done) / static_cast<double>(film_.samples().size());
-    if (!settings_.keepsGoing(part))
-      isStopped_ = true;
-  }
-
   const Tracer& tracer_;
   const RenderSettings& settings_;
-  Film& film_;
-  PinholeCamera camera_;
+  const PinholeCamera& camera_;
+  Progress& progress_;
+  Film film_;
   SamplePoints points_;
   std::unique_ptr<Shading> shading_;
-  std::atomic<std::size_t> pixelsDone_ = 0;
   std::atomic<std::uint64_t> rayCount_ = 0;
-  std::atomic<bool> isStopped_ = false;
 };
 
-void renderAllTiles(TileRenderer& renderer, const RenderSettings& settings) {
-  const int threadCount = settings.threadCount == 0 ? tbb::info::default_concurrency()
-                                                    : static_cast<int>(settings.threadCount);
-  // Without it oneTBB never runs more threads than the machine has.
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threadCount));
-  tbb::task_arena arena(threadCount);
-  const Tile picture(0, settings.size.height, kTileSide, 0, settings.size.width, kTileSide);
-  arena.execute([&] {
-    tbb::parallel_for(
-        picture, [&](const Tile& tile) { renderer.render(tile); }, tbb::simple_partitioner());
-  });
+/// Adds the four channels of a layer; the main one has no name.
+template <class LightAt>
+void addColours(ChannelImage& image, const std::string& layer, const LightAt& lightAt) {
+  const std::size_t first = image.channels.size();
+  for (const char* colour : {"R", "G", "B", "A"}) {
+    Channel& channel = image.channels.emplace_back(
+        Channel{.name = layer + colour, .type = ChannelType::Half, .values = {}});
+    channel.values.reserve(image.size.pixelCount());
+  }
+  for (std::uint32_t y = 0; y < image.size.height; ++y) {
+    for (std::uint32_t x = 0; x < image.size.width; ++x) {
+      const Light light = lightAt(x, y);
+      const std::array values = {light.colour.x, light.colour.y, light.colour.z, light.alpha};
+      for (std::size_t i = 0; i < values.size(); ++i)
+        image.channels[first + i].values.push_back(values[i]);
+    }
+  }
 }
 
 }  // namespace
 
 std::optional<Rendering> renderImage(const Tracer& tracer, const RenderSettings& settings) {
   using Clock = std::chrono::steady_clock;
-  Film film(settings.size);
-  TileRenderer renderer(tracer, settings, film);
   const Clock::time_point start = Clock::now();
-  renderAllTiles(renderer, settings);
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (renderer.isStopped())
+  const PinholeCamera camera(settings.camera,
+                             static_cast<double>(settings.size.width) / settings.size.height);
+  const std::size_t pixelCount = settings.size.pixelCount();
+  Progress progress(settings.keepsGoing, settings.cellDepth ? 2 * pixelCount : pixelCount);
+
+  TileRenderer renderer(tracer, settings, camera, progress);
+  forEachTile(settings.size, settings.threadCount,
+              [&](const Tile& tile) { renderer.render(tile); });
+  std::uint64_t rayCount = renderer.rayCount();
+  std::optional<WireLayer> cells;
+  if (settings.cellDepth && !progress.isStopped()) {
+    cells = drawCells(tracer, camera,
+                      {.size = settings.size,
+                       .depth = *settings.cellDepth,
+                       .colour = wireColour(settings.mode),
+                       .threadCount = settings.threadCount},
+                      progress);
+    rayCount += kRaysPerCellPixel * pixelCount;
+  }
+  if (progress.isStopped())
     return std::nullopt;
 
-  DevelopedImage developed = renderer.shading().develop(film);
-  return Rendering{.image = std::move(developed.image),
-                   .range = developed.range,
-                   .rayCount = renderer.rayCount(),
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const Development development = renderer.shading().develop(renderer.film());
+  return Rendering{.film = std::move(renderer.film()),
+                   .development = development,
+                   .range = development.range,
+                   .cells = std::move(cells),
+                   .rayCount = rayCount,
                    .seconds = seconds};
+}
+
+Image shownImage(const Rendering& rendering) {
+  const ImageSize size = rendering.film.size();
+  Image image(size);
+  for (std::uint32_t y = 0; y < size.height; ++y) {
+    for (std::uint32_t x = 0; x < size.width; ++x) {
+      Light light = rendering.development.light(rendering.film.at(x, y));
+      if (rendering.development.hasBackdrop)
+        light = over(light, {backdrop(size, x, y), 1.0f});
+      if (rendering.cells)
+        light = over(rendering.cells->light(x, y), light);
+      image.at(x, y) = quantized(srgbEncoded(light.colour));
+    }
+  }
+  return image;
+}
+
+ChannelImage channelImage(const Rendering& rendering) {
+  const Film& film = rendering.film;
+  ChannelImage image{.size = film.size(), .channels = {}};
+  addColours(image, "", [&](std::uint32_t x, std::uint32_t y) {
+    return rendering.development.light(film.at(x, y));
+  });
+  for (const Measurement& measurement : rendering.development.measurements) {
+    Channel& channel = image.channels.emplace_back(
+        Channel{.name = measurement.channel, .type = ChannelType::Float, .values = {}});
+    channel.values.reserve(film.samples().size());
+    for (const FilmSample& sample : film.samples())
+      channel.values.push_back(measurement.value(sample));
+  }
+  if (rendering.cells) {
+    addColours(image, "cells.",
+               [&](std::uint32_t x, std::uint32_t y) { return rendering.cells->light(x, y); });
+  }
+  return image;
 }
 
 }  // namespace planetree::render

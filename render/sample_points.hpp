@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/point2.hpp"
+
 #include <planetree/geometry/vec3.hpp>
 
 #include <array>
@@ -7,21 +9,15 @@
 
 namespace planetree::render {
 
-/// Two numbers in [0, 1).
-struct Point2 {
-  double x = 0.0;
-  double y = 0.0;
-};
-
 /// How many directions a shading may try for each camera ray.
 inline constexpr std::uint32_t kDirectionsPerSample = 4;
 
-/// Points to choose directions by.
+/// Points to choose directions by, of coordinates in [0, 1).
 using DirectionPoints = std::array<Point2, kDirectionsPerSample>;
 
 /// What one sample of a pixel is made of.
 struct SamplePoint {
-  Point2 film;  ///< the place within the pixel
+  Point2 film;  ///< the place within the pixel, in [0, 1) each way
   DirectionPoints directions;
 };
 

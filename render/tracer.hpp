@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace planetree::render {
@@ -21,6 +22,8 @@ class Tracer {
                                                              StepCounts& steps) const noexcept = 0;
   [[nodiscard]] virtual bool isOccluded(const Rayf& ray) const noexcept = 0;
   [[nodiscard]] virtual Box3 bounds() const noexcept = 0;
+  /// All nodes of the tree, depth first, the root in front.
+  [[nodiscard]] virtual std::span<const Node> nodes() const noexcept = 0;
 };
 
 /// A tree behind the interface. It keeps a copy of the tree, which is cheap: copies share the
@@ -42,6 +45,7 @@ float > class TreeTracer final : public Tracer {
     return tree_.isOccluded(ray);
   }
   [[nodiscard]] Box3 bounds() const noexcept override { return tree_.bounds(); }
+  [[nodiscard]] std::span<const Node> nodes() const noexcept override { return tree_.nodes(); }
 
  private:
   KdTree<O> tree_;

@@ -16,4 +16,12 @@ namespace planetree::render {
   return values[static_cast<std::size_t>(rank)];
 }
 
+/// The mean of the values. There must be one.
+[[nodiscard]] inline double meanValue(const std::vector<float>& values) noexcept {
+  double sum = 0.0;
+  for (const float value : values)
+    sum += static_cast<double>(value);
+  return sum / static_cast<double>(values.size());
+}
+
 }  // namespace planetree::render

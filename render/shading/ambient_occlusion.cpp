@@ -1,6 +1,5 @@
 #include "render/shading/ambient_occlusion.hpp"
 
-#include "render/shading/backdrop.hpp"
 #include "render/shading/surface_point.hpp"
 
 #include <algorithm>
@@ -72,17 +71,9 @@ Vec3f AmbientOcclusion::openLight(const Vec3f& normal) const noexcept {
   return kGroundLight * (1.0f - height) + kSkyLight * height + kKeyLight * key;
 }
 
-DevelopedImage AmbientOcclusion::develop(const Film& film) const {
-  Image image(film.size());
-  for (std::uint32_t y = 0; y < image.size.height; ++y) {
-    for (std::uint32_t x = 0; x < image.size.width; ++x) {
-      const FilmSample& sample = film.at(x, y);
-      const Vec3f light = sample.value + backdrop(image.size, x, y) * (1.0f - sample.coverage);
-      image.at(x, y) =
-          quantized({srgbEncoded(light.x), srgbEncoded(light.y), srgbEncoded(light.z)});
-    }
-  }
-  return {.image = std::move(image), .range = {}};
+Development AmbientOcclusion::develop(const Film& /*film*/) const {
+  const auto light = [](const FilmSample& sample) { return Light{sample.value, sample.coverage}; };
+  return {.light = light, .hasBackdrop = true, .measurements = {}, .range = {}};
 }
 
 }  // namespace planetree::render

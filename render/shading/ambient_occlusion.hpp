@@ -24,7 +24,7 @@ class AmbientOcclusion final : public Shading {
 
   [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
                                  const DirectionPoints& directions) const noexcept override;
-  [[nodiscard]] DevelopedImage develop(const Film& film) const override;
+  [[nodiscard]] Development develop(const Film& film) const override;
 
  private:
   [[nodiscard]] Vec3f albedo(const Hitf& hit) const noexcept;

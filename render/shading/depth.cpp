@@ -1,9 +1,10 @@
 #include "render/shading/depth.hpp"
 
+#include "render/image.hpp"
 #include "render/value_percentile.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <limits>
 #include <vector>
 
 namespace planetree::render {
@@ -16,6 +17,9 @@ constexpr float kFarthestGrey = 0.12f;
 /// A thin foreground or a far glimpse must not take the contrast from all the rest.
 constexpr double kNearPercentile = 0.001;
 constexpr double kFarPercentile = 0.999;
+
+/// The depth of a pixel that shows no surface.
+constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 float meanDepth(const FilmSample& sample) noexcept {
   return sample.value.x / sample.coverage;
@@ -41,26 +45,32 @@ FilmSample Depth::shade(RayCounter& tracer, const Rayf& cameraRay,
   return {.value = {depth, 0.0f, 0.0f}, .coverage = 1.0f};
 }
 
-DevelopedImage Depth::develop(const Film& film) const {
-  Image image(film.size());
+Development Depth::develop(const Film& film) const {
   std::vector<float> depths = coveredDepths(film);
-  if (depths.empty())
-    return {.image = std::move(image), .range = {}};
+  const Measurement depth{"Z", [](const FilmSample& sample) {
+                            return sample.coverage > 0.0f ? meanDepth(sample) : kNowhere;
+                          }};
+  if (depths.empty()) {
+    return {
+        .light = [](const FilmSample&) { return Light{}; }, .measurements = {depth}, .range = {}};
+  }
   const float nearest = valuePercentile(depths, kNearPercentile);
   const float farthest = valuePercentile(depths, kFarPercentile);
-  const float span = farthest > nearest ? farthest - nearest : 1.0f;
-
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const FilmSample& sample = film.samples()[i];
+  const ValueRange range{
+      .darkest = static_cast<double>(farthest),
+      .brightest = static_cast<double>(nearest),
+      .lowest = static_cast<double>(*std::min_element(depths.begin(), depths.end())),
+      .mean = meanValue(depths),
+      .highest = static_cast<double>(*std::max_element(depths.begin(), depths.end()))};
+  const auto grey = [nearest, span = farthest > nearest ? farthest - nearest
+                                                        : 1.0f](const FilmSample& sample) -> Light {
     if (!(sample.coverage > 0.0f))
-      continue;
+      return {};
     const float place = std::clamp((meanDepth(sample) - nearest) / span, 0.0f, 1.0f);
-    const float grey = (1.0f - place * (1.0f - kFarthestGrey)) * sample.coverage;
-    image.pixels[i] = quantized({grey, grey, grey});
-  }
-  return {.image = std::move(image),
-          .range = ValueRange{.darkest = static_cast<double>(farthest),
-                              .brightest = static_cast<double>(nearest)}};
+    const float shown = srgbDecoded(1.0f - place * (1.0f - kFarthestGrey)) * sample.coverage;
+    return {{shown, shown, shown}, sample.coverage};
+  };
+  return {.light = grey, .measurements = {depth}, .range = range};
 }
 
 }  // namespace planetree::render

@@ -1,10 +1,11 @@
 #include "render/shading/heat.hpp"
 
 #include "render/colour_map.hpp"
+#include "render/image.hpp"
 #include "render/value_percentile.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 #include <vector>
 
 namespace planetree::render {
@@ -13,33 +14,67 @@ namespace {
 
 constexpr double kBrightestPercentile = 0.995;
 
+// Where a sample keeps its counts.
+
+float splitNodes(const FilmSample& sample) noexcept {
+  return sample.value.x;
+}
+float leafNodes(const FilmSample& sample) noexcept {
+  return sample.value.y;
+}
+float objects(const FilmSample& sample) noexcept {
+  return sample.value.z;
+}
+
+/// What the colours show.
+float steps(const FilmSample& sample) noexcept {
+  return splitNodes(sample) + objects(sample);
+}
+
+/// The next number that two digits can write: the ends of a scale are to be read.
+double roundedUp(double value) noexcept {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) - 1.0));
+  return std::ceil(value / unit) * unit;
+}
+
+/// Below one step a ray there is nothing to tell apart; 1 also keeps the division finite.
+double chosenBrightest(std::vector<float> values) {
+  return roundedUp(
+      std::max(1.0, static_cast<double>(valuePercentile(values, kBrightestPercentile))));
+}
+
 }  // namespace
 
 FilmSample Heat::shade(RayCounter& tracer, const Rayf& cameraRay,
                        const DirectionPoints& /*directions*/) const noexcept {
-  StepCounts steps;
-  const bool isHit = tracer.findIntersection(cameraRay, steps).has_value();
-  const auto work = static_cast<float>(steps.splitNodes + steps.objects);
-  return {.value = {work, 0.0f, 0.0f}, .coverage = isHit ? 1.0f : 0.0f};
+  StepCounts counts;
+  const bool isHit = tracer.findIntersection(cameraRay, counts).has_value();
+  return {.value = {static_cast<float>(counts.splitNodes), static_cast<float>(counts.leafNodes),
+                    static_cast<float>(counts.objects)},
+          .coverage = isHit ? 1.0f : 0.0f};
 }
 
-DevelopedImage Heat::develop(const Film& film) const {
-  Image image(film.size());
-  std::vector<float> work;
-  work.reserve(film.samples().size());
+Development Heat::develop(const Film& film) const {
+  std::vector<float> values;
+  values.reserve(film.samples().size());
   for (const FilmSample& sample : film.samples())
-    work.push_back(sample.value.x);
+    values.push_back(steps(sample));
 
-  // Below one step a ray there is nothing to tell apart; 1 also keeps the division finite.
-  const float brightest = std::max(1.0f, valuePercentile(work, kBrightestPercentile));
-  const float highest = *std::max_element(work.begin(), work.end());
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = quantized(infernoColour(film.samples()[i].value.x / brightest));
-  }
-  return {.image = std::move(image),
-          .range = ValueRange{.darkest = 0.0,
-                              .brightest = static_cast<double>(brightest),
-                              .highest = static_cast<double>(highest)}};
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const ValueRange range{.darkest = 0.0,
+                         .brightest = brightest_ ? *brightest_ : chosenBrightest(values),
+                         .lowest = static_cast<double>(*lowest),
+                         .mean = meanValue(values),
+                         .highest = static_cast<double>(*highest)};
+  const auto light = [brightest = static_cast<float>(range.brightest)](const FilmSample& sample) {
+    return Light{srgbDecoded(infernoColour(steps(sample) / brightest)), 1.0f};
+  };
+  return {.light = light,
+          .measurements = {{"steps", &steps},
+                           {"steps.splitNodes", &splitNodes},
+                           {"steps.leafNodes", &leafNodes},
+                           {"steps.objects", &objects}},
+          .range = range};
 }
 
 }  // namespace planetree::render

@@ -2,16 +2,25 @@
 
 #include "render/shading/shading.hpp"
 
+#include <optional>
+
 namespace planetree::render {
 
 /// The work of finding what each camera ray sees, as colours: split nodes visited and objects
-/// tested. Rays that hit nothing have their work shown too. The brightest colour stands for the
-/// 99.5th percentile of the pixels, so that a few costly ones leave the rest its contrast.
+/// tested. Rays that hit nothing have their work shown too. Black is no work at all. Unless it is
+/// given, the work that the brightest colour stands for is the 99.5th percentile of the pixels,
+/// rounded up to two digits, so that a few costly ones leave the rest its contrast.
 class Heat final : public Shading {
  public:
+  /// `brightest` must be positive.
+  explicit Heat(std::optional<double> brightest = std::nullopt) noexcept : brightest_(brightest) {}
+
   [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
                                  const DirectionPoints& directions) const noexcept override;
-  [[nodiscard]] DevelopedImage develop(const Film& film) const override;
+  [[nodiscard]] Development develop(const Film& film) const override;
+
+ private:
+  std::optional<double> brightest_;
 };
 
 }  // namespace planetree::render

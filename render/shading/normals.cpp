@@ -1,32 +1,39 @@
 #include "render/shading/normals.hpp"
 
-#include "render/shading/backdrop.hpp"
+#include "render/image.hpp"
 #include "render/shading/surface_point.hpp"
 
-#include <utility>
-
 namespace planetree::render {
+
+namespace {
+
+/// The mean over the rays that hit something.
+Vec3f meanNormal(const FilmSample& sample) noexcept {
+  return sample.coverage > 0.0f ? sample.value / sample.coverage : Vec3f{};
+}
+
+Light normalColour(const FilmSample& sample) noexcept {
+  const Vec3f half{0.5f, 0.5f, 0.5f};
+  return {srgbDecoded(half + 0.5f * meanNormal(sample)) * sample.coverage, sample.coverage};
+}
+
+}  // namespace
 
 FilmSample Normals::shade(RayCounter& tracer, const Rayf& cameraRay,
                           const DirectionPoints& /*directions*/) const noexcept {
   const auto hit = tracer.findIntersection(cameraRay);
   if (!hit)
     return {};
-  const Vec3f half{0.5f, 0.5f, 0.5f};
-  return {.value = half + 0.5f * normalTowardViewer(*hit, cameraRay), .coverage = 1.0f};
+  return {.value = normalTowardViewer(*hit, cameraRay), .coverage = 1.0f};
 }
 
-DevelopedImage Normals::develop(const Film& film) const {
-  Image image(film.size());
-  for (std::uint32_t y = 0; y < image.size.height; ++y) {
-    for (std::uint32_t x = 0; x < image.size.width; ++x) {
-      const FilmSample& sample = film.at(x, y);
-      const Vec3f behind = backdrop(image.size, x, y);
-      const Vec3f shown{srgbEncoded(behind.x), srgbEncoded(behind.y), srgbEncoded(behind.z)};
-      image.at(x, y) = quantized(sample.value + shown * (1.0f - sample.coverage));
-    }
-  }
-  return {.image = std::move(image), .range = {}};
+Development Normals::develop(const Film& /*film*/) const {
+  return {.light = &normalColour,
+          .hasBackdrop = true,
+          .measurements = {{"N.X", [](const FilmSample& sample) { return meanNormal(sample).x; }},
+                           {"N.Y", [](const FilmSample& sample) { return meanNormal(sample).y; }},
+                           {"N.Z", [](const FilmSample& sample) { return meanNormal(sample).z; }}},
+          .range = {}};
 }
 
 }  // namespace planetree::render

@@ -1,27 +1,40 @@
 #pragma once
 
 #include "render/film.hpp"
-#include "render/image.hpp"
+#include "render/light.hpp"
 #include "render/sample_points.hpp"
 #include "render/tracer.hpp"
 
 #include <planetree/geometry/ray.hpp>
 
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace planetree::render {
 
-/// What the darkest and the brightest colour of a picture stand for.
+/// What the darkest and the brightest colour of a picture stand for, and what its pixels have.
 struct ValueRange {
   double darkest = 0.0;
   double brightest = 0.0;
-  double highest = 0.0;  ///< the highest value of any pixel; `brightest` may be below it
+  double lowest = 0.0;   ///< of any pixel
+  double mean = 0.0;     ///< over all pixels that have a value
+  double highest = 0.0;  ///< of any pixel; the colours may end before it
 };
 
-/// A picture and, if its colours measure something, what they mean.
-struct DevelopedImage {
-  Image image;
-  std::optional<ValueRange> range;
+/// Something measured in each pixel, beside its colour.
+struct Measurement {
+  std::string channel;  ///< its name in a file of channels
+  std::function<float(const FilmSample&)> value;
+};
+
+/// How the pixels of one film are to be shown.
+struct Development {
+  std::function<Light(const FilmSample&)> light;
+  bool hasBackdrop = false;  ///< what nothing covers is not black
+  std::vector<Measurement> measurements;
+  std::optional<ValueRange> range;  ///< if the colours measure something
 };
 
 /// A way to turn rays into a picture, in two steps: what each camera ray sees, then which colours
@@ -35,7 +48,8 @@ class Shading {
   [[nodiscard]] virtual FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
                                          const DirectionPoints& directions) const noexcept = 0;
 
-  [[nodiscard]] virtual DevelopedImage develop(const Film& film) const = 0;
+  /// The answer does not refer to the shading or to the film.
+  [[nodiscard]] virtual Development develop(const Film& film) const = 0;
 };
 
 }  // namespace planetree::render

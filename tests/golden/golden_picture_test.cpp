@@ -1,17 +1,20 @@
-#include "read_png.hpp"
+#include "support/read_png.hpp"
 
+#include "render/file/encode_png.hpp"
+#include "render/framing.hpp"
+#include "render/overlay/heat_legend.hpp"
 #include "render/render_image.hpp"
 #include "render/still_life.hpp"
-
-#include "render/framing.hpp"
 
 #include <planetree/build_tree.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -36,6 +39,7 @@ struct GoldenPicture {
   RenderMode mode;
   std::string name;
   double tolerance;
+  std::optional<std::uint32_t> cellDepth = {};
 };
 
 // Other compilers round the shading differently, and at the outlines a ray may then see another
@@ -44,23 +48,27 @@ struct GoldenPicture {
 const GoldenPicture kPictures[] = {{RenderMode::AmbientOcclusion, "ao", 2.0},
                                    {RenderMode::Normals, "normals", 2.0},
                                    {RenderMode::Depth, "depth", 2.0},
-                                   {RenderMode::Heat, "heat", 6.0}};
+                                   {RenderMode::Heat, "heat", 6.0},
+                                   {RenderMode::AmbientOcclusion, "cells", 6.0, 5},
+                                   {RenderMode::Heat, "heat-cells", 6.0, 8}};
 
 void PrintTo(const GoldenPicture& picture, std::ostream* out) {
   *out << picture.name;
 }
 
-Image renderStillLife(RenderMode mode) {
+Image renderStillLife(const GoldenPicture& picture) {
   static const render::StillLife stillLife = render::makeStillLife();
   static const render::TreeTracer<AnyObject<float>> tracer(buildTree(stillLife.scene));
   const render::ImageSize size{160, 120};
   const render::Framing framing{.aspect = static_cast<double>(size.width) / size.height};
-  return renderImage(tracer, {.size = size,
-                              .camera = *frameCamera(stillLife.outline, framing),
-                              .mode = mode,
-                              .samplesPerPixel = 16,
-                              .albedos = stillLife.albedos})
-      ->image;
+  const auto rendering = renderImage(tracer, {.size = size,
+                                              .camera = *frameCamera(stillLife.outline, framing),
+                                              .mode = picture.mode,
+                                              .samplesPerPixel = 16,
+                                              .albedos = stillLife.albedos,
+                                              .cellDepth = picture.cellDepth});
+  const Image image = shownImage(*rendering);
+  return picture.mode == RenderMode::Heat ? withHeatLegend(image, *rendering->range) : image;
 }
 
 double rootMeanSquare(const Image& a, const Image& b) {
@@ -86,7 +94,7 @@ void writePng(const Image& image, const fs::path& path) {
 class Golden : public testing::TestWithParam<GoldenPicture> {};
 
 TEST_P(Golden, PictureOfTheStillLifeIsAsBefore) {
-  const Image actual = renderStillLife(GetParam().mode);
+  const Image actual = renderStillLife(GetParam());
   const fs::path goldenPath = fs::path(PLANETREE_GOLDEN_FOLDER) / (GetParam().name + ".png");
   if (std::getenv("PLANETREE_UPDATE_GOLDENS") != nullptr) {
     writePng(actual, goldenPath);
@@ -94,8 +102,8 @@ TEST_P(Golden, PictureOfTheStillLifeIsAsBefore) {
   }
   const auto golden = readPng(goldenPath);
   ASSERT_TRUE(golden) << goldenPath << " is missing; PLANETREE_UPDATE_GOLDENS=1 makes it";
-  ASSERT_EQ(actual.size, golden->size);
-  const double difference = rootMeanSquare(actual, *golden);
+  ASSERT_EQ(actual.size, golden->image.size);
+  const double difference = rootMeanSquare(actual, golden->image);
   if (difference <= GetParam().tolerance)
     return;
   const fs::path actualPath = fs::path(PLANETREE_ACTUAL_FOLDER) / (GetParam().name + ".png");
@@ -104,8 +112,11 @@ TEST_P(Golden, PictureOfTheStillLifeIsAsBefore) {
                 << "/255 in the root mean square";
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, Golden, testing::ValuesIn(kPictures),
-                         [](const auto& suite) { return suite.param.name; });
+INSTANTIATE_TEST_SUITE_P(Modes, Golden, testing::ValuesIn(kPictures), [](const auto& suite) {
+  std::string name = suite.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace planetree::test

@@ -8,7 +8,7 @@
 #include "talk.hpp"
 #include "usage_error.hpp"
 
-#include "render/image.hpp"
+#include "render/file/encode_png.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -134,7 +134,7 @@ int renderSubject(const RenderCommand& command, const Subject& subject, const Ta
     return sayInterrupted();
   sayRendering(talk, command.mode, *rendering);
 
-  const std::vector<std::byte> png = encodePng(rendering->image);
+  const std::vector<std::byte> png = encodePng(shownImage(*rendering));
   const fs::path path = outputPath(command);
   if (!writeFile(path, png, isWanted))
     return sayInterrupted();

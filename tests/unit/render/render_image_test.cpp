@@ -37,7 +37,7 @@ TEST(RenderImage, IsTheSameForAnyNumberOfThreads) {
     settings.threadCount = 5;
     const auto five = renderImage(tracer, settings);
     ASSERT_TRUE(one && five);
-    EXPECT_EQ(one->image.pixels, five->image.pixels);
+    EXPECT_EQ(shownImage(*one).pixels, shownImage(*five).pixels);
     EXPECT_EQ(one->rayCount, five->rayCount);
   }
 }
@@ -53,12 +53,12 @@ TEST(RenderImage, ShowsTheSphereInTheMiddleAndTheBackdropAround) {
   const auto tracer = sphereTracer();
   RenderSettings settings = sphereSettings();
   settings.mode = RenderMode::Normals;
-  Rendering rendering = *renderImage(tracer, settings);
-  const Rgb8 middle = rendering.image.at(20, 15);
+  const Image image = shownImage(*renderImage(tracer, settings));
+  const Rgb8 middle = image.at(20, 15);
   EXPECT_NEAR(middle.red, 128, 8);
   EXPECT_NEAR(middle.green, 128, 8);
   EXPECT_GT(middle.blue, 250);
-  const Rgb8 corner = rendering.image.at(0, 0);
+  const Rgb8 corner = image.at(0, 0);
   EXPECT_NEAR(corner.red, corner.blue, 20);
   EXPECT_GT(corner.red, 150);
 }

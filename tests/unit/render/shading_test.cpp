@@ -10,7 +10,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace planetree::render {
@@ -94,10 +97,10 @@ TEST(Normals, FaceTheViewerFromEitherSide) {
   const auto tracer = floorTracer();
   RayCounter counter(*tracer);
   const Vec3f above = Normals().shade(counter, kDownward, {}).value;
-  EXPECT_EQ(above, (Vec3f{0.5f, 1.0f, 0.5f}));
+  EXPECT_EQ(above, (Vec3f{0.0f, 1.0f, 0.0f}));
   Rayf fromBelow = kUpward;
   fromBelow.origin.y = -1.0f;
-  EXPECT_EQ(Normals().shade(counter, fromBelow, {}).value, (Vec3f{0.5f, 0.0f, 0.5f}));
+  EXPECT_EQ(Normals().shade(counter, fromBelow, {}).value, (Vec3f{0.0f, -1.0f, 0.0f}));
 }
 
 Film filmOf(const std::vector<FilmSample>& samples) {
@@ -111,6 +114,40 @@ FilmSample valueSample(float value, float coverage) {
   return {.value = {value * coverage, 0.0f, 0.0f}, .coverage = coverage};
 }
 
+/// The pixels of a one-row film, as they are shown.
+std::vector<Rgb8> shown(const Development& development, const Film& film) {
+  std::vector<Rgb8> pixels;
+  for (const FilmSample& sample : film.samples())
+    pixels.push_back(quantized(srgbEncoded(development.light(sample).colour)));
+  return pixels;
+}
+
+/// What is measured in the first pixel of a film.
+float measured(const Development& development, const std::string& channel, const Film& film) {
+  for (const Measurement& measurement : development.measurements) {
+    if (measurement.channel == channel)
+      return measurement.value(film.at(0, 0));
+  }
+  ADD_FAILURE() << "nothing is measured as " << channel;
+  return 0.0f;
+}
+
+TEST(Normals, AreShownAroundTheMiddleOfTheColoursAndMeasuredAsTheyAre) {
+  const Film film =
+      filmOf({{.value = {0.0f, 1.0f, 0.0f}, .coverage = 1.0f}, {.value = {}, .coverage = 0.0f}});
+  const Development development = Normals().develop(film);
+  EXPECT_EQ(shown(development, film)[0], (Rgb8{128, 255, 128}));
+  EXPECT_EQ(development.light(film.at(1, 0)).alpha, 0.0f);
+  EXPECT_EQ(measured(development, "N.X", film), 0.0f);
+  EXPECT_EQ(measured(development, "N.Y", film), 1.0f);
+  EXPECT_EQ(measured(development, "N.Z", film), 0.0f);
+}
+
+TEST(Normals, OfPartlyCoveredPixelsAreThoseOfWhatCoversThem) {
+  const Film film = filmOf({{.value = {0.0f, 0.0f, -0.5f}, .coverage = 0.5f}});
+  EXPECT_EQ(measured(Normals().develop(film), "N.Z", film), -1.0f);
+}
+
 TEST(Depth, IsMeasuredAlongTheViewDirection) {
   const auto tracer = floorTracer();
   RayCounter counter(*tracer);
@@ -120,29 +157,37 @@ TEST(Depth, IsMeasuredAlongTheViewDirection) {
 }
 
 TEST(Depth, NearIsWhiteFarIsDarkAndNothingIsBlack) {
-  const DevelopedImage developed = Depth({}).develop(
-      filmOf({valueSample(2.0f, 1.0f), valueSample(3.0f, 1.0f), valueSample(4.0f, 1.0f), {}}));
-  const std::vector<Rgb8>& pixels = developed.image.pixels;
+  const Film film =
+      filmOf({valueSample(2.0f, 1.0f), valueSample(3.0f, 1.0f), valueSample(4.0f, 1.0f), {}});
+  const Development development = Depth({}).develop(film);
+  const std::vector<Rgb8> pixels = shown(development, film);
   EXPECT_EQ(pixels[0].red, 255);
   EXPECT_LT(pixels[1].red, 255);
   EXPECT_LT(pixels[2].red, pixels[1].red);
   EXPECT_GT(pixels[2].red, 0);
   EXPECT_EQ(pixels[3].red, 0);
-  ASSERT_TRUE(developed.range);
-  EXPECT_EQ(developed.range->brightest, 2.0);
-  EXPECT_EQ(developed.range->darkest, 4.0);
+  ASSERT_TRUE(development.range);
+  EXPECT_EQ(development.range->brightest, 2.0);
+  EXPECT_EQ(development.range->darkest, 4.0);
+  EXPECT_EQ(development.range->lowest, 2.0);
+  EXPECT_EQ(development.range->mean, 3.0);
+  EXPECT_EQ(development.range->highest, 4.0);
 }
 
 TEST(Depth, APartlyCoveredPixelHasTheDepthOfWhatCoversIt) {
-  const DevelopedImage developed =
-      Depth({}).develop(filmOf({valueSample(2.0f, 1.0f), valueSample(2.0f, 0.5f), {}}));
-  EXPECT_EQ(developed.image.pixels[1].red, 128);
+  const Film film = filmOf({valueSample(2.0f, 0.5f), valueSample(2.0f, 1.0f), {}});
+  const Development development = Depth({}).develop(film);
+  EXPECT_EQ(measured(development, "Z", film), 2.0f);
+  EXPECT_EQ(development.light(film.at(0, 0)).colour, (Vec3f{0.5f, 0.5f, 0.5f}));
+  EXPECT_EQ(development.light(film.at(0, 0)).alpha, 0.5f);
 }
 
-TEST(Depth, APictureOfNothingIsBlackAndHasNoRange) {
-  const DevelopedImage developed = Depth({}).develop(filmOf({{}, {}}));
-  EXPECT_EQ(developed.image.pixels[0], Rgb8{});
-  EXPECT_FALSE(developed.range);
+TEST(Depth, APictureOfNothingIsBlackInfinitelyFarAndHasNoRange) {
+  const Film film = filmOf({{}, {}});
+  const Development development = Depth({}).develop(film);
+  EXPECT_EQ(shown(development, film)[0], Rgb8{});
+  EXPECT_EQ(measured(development, "Z", film), std::numeric_limits<float>::infinity());
+  EXPECT_FALSE(development.range);
 }
 
 TEST(Heat, CountsSplitNodesAndObjects) {
@@ -158,19 +203,53 @@ TEST(Heat, CountsSplitNodesAndObjects) {
   ASSERT_TRUE(isHit);
   ASSERT_GT(steps.splitNodes, 0u);
   RayCounter counter(tracer);
-  EXPECT_EQ(Heat().shade(counter, ray, {}).value.x,
+  const Film film = filmOf({Heat().shade(counter, ray, {})});
+  const Development development = Heat().develop(film);
+  EXPECT_EQ(measured(development, "steps.splitNodes", film), static_cast<float>(steps.splitNodes));
+  EXPECT_EQ(measured(development, "steps.leafNodes", film), static_cast<float>(steps.leafNodes));
+  EXPECT_EQ(measured(development, "steps.objects", film), static_cast<float>(steps.objects));
+  EXPECT_EQ(measured(development, "steps", film),
             static_cast<float>(steps.splitNodes + steps.objects));
 }
 
+FilmSample stepSample(float splitNodes, float objects) {
+  return {.value = {splitNodes, 0.0f, objects}};
+}
+
 TEST(Heat, RaysThatMissShowTheirWorkToo) {
-  const DevelopedImage developed =
-      Heat().develop(filmOf({{}, {.value = {50.0f, 0.0f, 0.0f}}, valueSample(100.0f, 1.0f)}));
-  EXPECT_EQ(developed.image.pixels[0], (Rgb8{0x00, 0x00, 0x04}));
-  EXPECT_EQ(developed.image.pixels[1], (Rgb8{0xBB, 0x37, 0x54}));
-  EXPECT_EQ(developed.image.pixels[2], (Rgb8{0xFC, 0xFF, 0xA4}));
-  ASSERT_TRUE(developed.range);
-  EXPECT_EQ(developed.range->brightest, 100.0);
-  EXPECT_EQ(developed.range->highest, 100.0);
+  const Film film = filmOf({{}, stepSample(30.0f, 20.0f), stepSample(0.0f, 100.0f)});
+  const Development development = Heat().develop(film);
+  EXPECT_EQ(shown(development, film),
+            (std::vector<Rgb8>{{0x00, 0x00, 0x04}, {0xBB, 0x37, 0x54}, {0xFC, 0xFF, 0xA4}}));
+  for (const FilmSample& sample : film.samples())
+    EXPECT_EQ(development.light(sample).alpha, 1.0f);
+  ASSERT_TRUE(development.range);
+  EXPECT_EQ(development.range->brightest, 100.0);
+  EXPECT_EQ(development.range->lowest, 0.0);
+  EXPECT_EQ(development.range->mean, 50.0);
+  EXPECT_EQ(development.range->highest, 100.0);
+}
+
+TEST(Heat, ItsScaleEndsAtANumberOfTwoDigits) {
+  for (const auto& [highest, end] : {std::pair{0.0f, 1.0},
+                                     {0.5f, 1.0},
+                                     {7.2f, 8.0},
+                                     {88.3f, 89.0},
+                                     {100.0f, 100.0},
+                                     {101.0f, 110.0},
+                                     {1234.0f, 1300.0}}) {
+    const Film film = filmOf({stepSample(highest, 0.0f)});
+    EXPECT_EQ(Heat().develop(film).range->brightest, end) << highest;
+  }
+}
+
+TEST(Heat, AGivenScaleIsKeptWhateverThePictureHas) {
+  for (const float highest : {10.0f, 400.0f}) {
+    const Film film = filmOf({stepSample(10.0f, 0.0f), stepSample(highest, 0.0f)});
+    const Development development = Heat(20.0).develop(film);
+    EXPECT_EQ(development.range->brightest, 20.0);
+    EXPECT_EQ(shown(development, film)[0], (Rgb8{0xBB, 0x37, 0x54})) << highest;
+  }
 }
 
 TEST(SurfaceOffset, GrowsWithTheSceneAndWithTheDistanceFromTheOrigin) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace planetree::render {
+
+/// One thing that a picture's file says about the picture.
+struct MetadataEntry {
+  /// UpperCamelCase, of ASCII letters and at most 31 of them: both PNG and EXR take such names.
+  std::string key;
+  std::string text;  ///< UTF-8 without control characters
+};
+
+using Metadata = std::vector<MetadataEntry>;
+
+}  // namespace planetree::render
