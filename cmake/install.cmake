@@ -37,6 +37,7 @@ if(TARGET planetree_tool)
   file(RELATIVE_PATH libraries_from_bin /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
   set_target_properties(planetree_tool PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_bin}")
   install(TARGETS planetree_tool)
+  install(TARGETS planetree_assimp DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/planetree)
 endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/planetreeConfig.cmake.in

@@ -1,10 +1,10 @@
 #include "bench/scene/load_scene.hpp"
 
 #include "bench/scene/cameras.hpp"
+#include "import/import_mesh.hpp"
 
 #include <planetree/error.hpp>
 #include <planetree/geometry/box3.hpp>
-#include <planetree/mesh/read_mesh.hpp>
 
 #include <utility>
 
@@ -28,7 +28,7 @@ std::string sceneName(const std::filesystem::path& file) {
 }
 
 BenchScene loadScene(const std::filesystem::path& file) {
-  TriangleMesh<float> mesh = readMesh<float>(file);
+  TriangleMesh<float> mesh = importing::importMesh<float>(file);
   if (mesh.faces.empty()) {
     throw Error(ErrorCode::InvalidGeometry, "the model has no faces", "Name another model.",
                 {.file = file.string()});

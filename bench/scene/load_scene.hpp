@@ -20,7 +20,7 @@ struct BenchScene {
 /// The name of a scene: that of its file without folder and extension.
 [[nodiscard]] std::string sceneName(const std::filesystem::path& file);
 
-/// Reads any format that planetree reads. Throws what `readMesh` throws, and `Error` with
+/// Reads any format that planetree reads. Throws what `importMesh` throws, and `Error` with
 /// `InvalidGeometry` if there are no faces.
 [[nodiscard]] BenchScene loadScene(const std::filesystem::path& file);
 

@@ -39,8 +39,11 @@ class MeshBuilder {
   /// Counts a polygon that cannot be added because it "refers to vertex 0, ...".
   void skipPolygon(const std::string& reason, std::int64_t line = Error::kNone);
 
-  /// Counts a point, line, curve or surface.
-  void countUnread() noexcept { ++report_.unreadPrimitiveCount; }
+  /// Counts points, lines, curves or surfaces.
+  void countUnread(std::uint64_t count) noexcept { report_.unreadPrimitiveCount += count; }
+
+  /// Counts coordinates that are finite in the file but not in T.
+  void countTooLarge(std::uint64_t count) noexcept { report_.tooLargeCount += count; }
 
   [[nodiscard]] const std::vector<Vec3<T>>& positions() const noexcept { return mesh_.positions; }
   [[nodiscard]] TriangleMesh<T> takeMesh() noexcept { return std::move(mesh_); }

@@ -7,6 +7,7 @@
 #include "support/text_lines.hpp"
 
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +23,7 @@
 ///     take<Number>(type)        the next value of the record
 ///     skip(type)
 ///     requireItems(n, type)     refuses a list that the rest of the record cannot hold
+///     tooLargeCount()           how many numbers taken were finite, but not as a Number
 ///     endRecord(), endFile()    refuse values that the header does not speak of
 ///
 /// All throw `Error` with `MalformedFile`. Nothing is read beyond the file, whatever its header and
@@ -90,12 +92,17 @@ class BinaryPlyBody {
       case PlyType::Float64:
         break;
     }
-    return static_cast<Number>(loadNumber<double>(value, order_));
+    const auto exact = loadNumber<double>(value, order_);
+    const auto number = static_cast<Number>(exact);
+    if constexpr (std::floating_point<Number>)
+      tooLargeCount_ += std::isinf(number) && !std::isinf(exact) ? 1u : 0u;
+    return number;
   }
 
   void skip(PlyType type) { static_cast<void>(takeBytes(byteSize(type))); }
   void requireItems(std::uint64_t count, PlyType type) const;
 
+  [[nodiscard]] std::uint64_t tooLargeCount() const noexcept { return tooLargeCount_; }
   [[nodiscard]] const PlyPlace& place() const noexcept { return place_; }
   /// Binary files have no lines.
   [[nodiscard]] static constexpr std::int64_t line() noexcept { return Error::kNone; }
@@ -112,6 +119,7 @@ class BinaryPlyBody {
   PlyPlace place_;
   std::span<const std::byte> rest_;
   std::endian order_;
+  std::uint64_t tooLargeCount_ = 0;
 };
 
 /// One record on each line; blank lines do not count.
@@ -141,12 +149,14 @@ class AsciiPlyBody {
     const std::optional<Number> value = parseNumber<Number>(word);
     if (!value)
       throw place_.input().notANumber(word, line());
+    tooLargeCount_ += isTooLarge(word, *value) ? 1u : 0u;
     return *value;
   }
 
   void skip(PlyType) { static_cast<void>(takeValue()); }
   void requireItems(std::uint64_t count, PlyType) const;
 
+  [[nodiscard]] std::uint64_t tooLargeCount() const noexcept { return tooLargeCount_; }
   [[nodiscard]] const PlyPlace& place() const noexcept { return place_; }
   [[nodiscard]] std::int64_t line() const noexcept { return lines_.number(); }
 
@@ -157,6 +167,7 @@ class AsciiPlyBody {
 
   PlyPlace place_;
   TextLines lines_;
+  std::uint64_t tooLargeCount_ = 0;
   std::string_view rest_;  ///< of the present line
 };
 

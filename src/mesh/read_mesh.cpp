@@ -67,7 +67,8 @@ Error unknownFormat(const MeshInput& input) {
   });
   if (isPacked)
     return error("the file is compressed", "Unpack it first");
-  return error("the file is neither PLY nor STL nor OBJ", "Convert it to one of these formats");
+  return error("the file is in none of the formats that can be read",
+               "Convert it to PLY, STL or OBJ");
 }
 
 /// What the bytes are, as far as their beginning tells; damage further on is the reader's affair.

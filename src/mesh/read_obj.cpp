@@ -163,6 +163,8 @@ class ObjReader {
     const std::optional<T> number = parseNumber<T>(word);
     if (!number)
       throw input_.notANumber(word, record.line());
+    if (isTooLarge(word, *number))
+      builder_.countTooLarge(1);
     return *number;
   }
 
@@ -173,7 +175,7 @@ class ObjReader {
     } else if (isPolygon(keyword)) {
       readPolygon(record);
     } else if (isOtherPrimitive(keyword)) {
-      builder_.countUnread();
+      builder_.countUnread(1);
     } else if (includesOtherFiles(keyword)) {
       throw input_.malformed("it includes another file with " + quoted(keyword),
                              "Put both files into one", record.line());

@@ -80,6 +80,7 @@ class PlyBodyReader {
       }
     }
     body_.endFile();
+    builder_.countTooLarge(body_.tooLargeCount());
   }
 
  private:

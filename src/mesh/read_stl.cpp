@@ -149,6 +149,8 @@ class StlTextReader {
     const std::optional<T> number = parseNumber<T>(word);
     if (!number)
       throw input_.notANumber(word, lines_.number());
+    if (isTooLarge(word, *number))
+      builder_.countTooLarge(1);
     return *number;
   }
 

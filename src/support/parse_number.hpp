@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -12,6 +13,12 @@ namespace planetree::detail {
 /// range of T becomes infinity or zero.
 template <std::floating_point T>
 [[nodiscard]] std::optional<T> parseNumber(std::string_view word) noexcept;
+
+/// True if `number` is the infinite value of a word that is finite itself.
+template <std::floating_point T>
+[[nodiscard]] bool isTooLarge(std::string_view word, T number) noexcept {
+  return std::isinf(number) && word.find_first_of("0123456789") != std::string_view::npos;
+}
 
 /// The value of a decimal integer; nothing if the word as a whole is not one. What lies outside the
 /// range becomes the nearest end of it.

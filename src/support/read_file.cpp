@@ -59,6 +59,14 @@ std::size_t firstCapacity(const std::filesystem::path& path) {
 
 }  // namespace
 
+void requireReadable(const std::filesystem::path& path) {
+  // Opening a pipe would wait for its writer, and take what it writes away.
+  std::error_code failed;
+  if (std::filesystem::is_fifo(path, failed))
+    return;
+  static_cast<void>(openFile(path));
+}
+
 FileContent readFile(const std::filesystem::path& path) {
   const FileHandle file = openFile(path);
   std::size_t capacity = firstCapacity(path);

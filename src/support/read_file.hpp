@@ -24,6 +24,9 @@ class FileContent {
   std::size_t size_;
 };
 
+/// Throws `Error` with `FileNotReadable` if the file cannot be opened to read it.
+void requireReadable(const std::filesystem::path& path);
+
 /// Reads a whole file; pipes are read to their end. Throws `Error` with `FileNotReadable`.
 [[nodiscard]] FileContent readFile(const std::filesystem::path& path);
 

@@ -31,12 +31,15 @@ Json optionsJson(const BuildOptions& options) {
 
 }  // namespace
 
-Json meshJson(const MeshSize& size, const MeshReadReport& report) {
+Json meshJson(const MeshSize& size, const importing::ImportReport& report) {
   return {
+      {"format", report.formatName},
       {"triangle_count", size.faceCount},
       {"vertex_count", size.vertexCount},
       {"polygon_count", report.polygonCount},
       {"skipped_polygon_count", report.skippedPolygonCount},
+      {"unread_primitive_count", report.unreadPrimitiveCount},
+      {"too_large_coordinate_count", report.tooLargeCount},
   };
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <planetree/mesh/read_mesh.hpp>
 #include "talk.hpp"
+
+#include "import/import_mesh.hpp"
 
 #include <planetree/node/tree_statistics.hpp>
 #include <planetree/split/build_options.hpp>
@@ -18,7 +19,7 @@ namespace planetree::tool {
 using Json = nlohmann::ordered_json;
 
 /// A model as it was read, for the key "mesh".
-[[nodiscard]] Json meshJson(const MeshSize& size, const MeshReadReport& report);
+[[nodiscard]] Json meshJson(const MeshSize& size, const importing::ImportReport& report);
 
 /// How a tree was built, for the key "build".
 [[nodiscard]] Json buildJson(const BuildOptions& options, const BuildReport& report);

@@ -25,7 +25,7 @@ template <std::floating_point T>
 Model<T> readModel(const std::filesystem::path& path, const Talk& talk) {
   const Clock::time_point start = Clock::now();
   Model<T> model{.name = path.string(), .mesh = {}, .report = {}};
-  model.mesh = readMesh<T>(path, &model.report);
+  model.mesh = importing::importMesh<T>(path, &model.report);
   const MeshSize size{.faceCount = model.mesh.faces.size(),
                       .vertexCount = model.mesh.positions.size()};
   sayMesh(talk, path.filename().string(), size, model.report, secondsSince(start));

@@ -2,8 +2,9 @@
 
 #include "talk.hpp"
 
+#include "import/import_mesh.hpp"
+
 #include <planetree/build_tree.hpp>
-#include <planetree/mesh/read_mesh.hpp>
 #include <planetree/mesh/triangle_mesh.hpp>
 
 #include <concepts>
@@ -17,7 +18,7 @@ template <std::floating_point T>
 struct Model {
   std::string name;  ///< for errors
   TriangleMesh<T> mesh;
-  MeshReadReport report;
+  importing::ImportReport report;
 };
 
 /// Reads a model and says what it has. Throws `Error` if it cannot be read or has no triangles.

@@ -12,18 +12,6 @@ namespace planetree::tool {
 
 namespace {
 
-std::string_view formatName(MeshFormat format) noexcept {
-  switch (format) {
-    case MeshFormat::Ply:
-      return "PLY";
-    case MeshFormat::Stl:
-      return "STL";
-    case MeshFormat::Obj:
-      return "OBJ";
-  }
-  return "unknown";
-}
-
 /// A few skipped things: the first ones with their reasons, the others as a number.
 void saySkippedList(const Talk& talk, std::string_view what, std::uint64_t count,
                     std::uint64_t outOf, const std::vector<std::string>& first) {
@@ -33,6 +21,37 @@ void saySkippedList(const Talk& talk, std::string_view what, std::uint64_t count
   const std::string rest = count > shown ? ", ..." : "";
   talk.say(fmt::format("  skipped {} of {} {}: {}{}", grouped(count), grouped(outOf), what,
                        fmt::join(first.begin(), end, ", "), rest));
+}
+
+void saySkippedPolygons(const Talk& talk, const MeshReadReport& report) {
+  if (report.skippedPolygonCount == 0)
+    return;
+  std::vector<std::string> first;
+  for (const SkippedPolygon& skipped : report.skipped) {
+    first.push_back(fmt::format("face {} {}", skipped.polygon, skipped.reason));
+  }
+  saySkippedList(talk, "faces", report.skippedPolygonCount, report.polygonCount, first);
+}
+
+/// What the file has and the mesh has not.
+void sayLeftOut(const Talk& talk, const importing::ImportReport& report) {
+  saySkippedPolygons(talk, report);
+  if (report.unreadPrimitiveCount != 0) {
+    talk.say(fmt::format("  left out {}: points, lines and curves cannot be hit",
+                         counted(report.unreadPrimitiveCount, "primitive")));
+  }
+  if (report.tooLargeCount != 0) {
+    talk.say(fmt::format("  {} too large for the precision of the mesh, and infinite in it",
+                         report.tooLargeCount == 1
+                             ? "1 coordinate is"
+                             : grouped(report.tooLargeCount) + " coordinates are"));
+  }
+  constexpr std::size_t kShownRemarks = 3;
+  const std::size_t shown = std::min(kShownRemarks, report.remarks.size());
+  for (std::size_t i = 0; i < shown; ++i)
+    talk.say("  assimp: " + report.remarks[i]);
+  if (report.remarkCount > shown)
+    talk.say(fmt::format("  assimp: {}", counted(report.remarkCount - shown, "more remark")));
 }
 
 }  // namespace
@@ -74,7 +93,7 @@ std::string_view reasonText(SkipReason reason) noexcept {
     case SkipReason::IndexOutOfRange:
       return "has a vertex index beyond the last vertex";
     case SkipReason::NotFinite:
-      return "has a coordinate that is not finite";
+      return "has a coordinate that is NaN, infinite or beyond the range of float";
     case SkipReason::Empty:
       return "is empty";
     case SkipReason::RepeatedCorner:
@@ -84,17 +103,11 @@ std::string_view reasonText(SkipReason reason) noexcept {
 }
 
 void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
-             const MeshReadReport& report, double seconds) {
-  talk.say(fmt::format(
-      "{}: {}, {} ({}, read in {:.2f} s)", name, counted(size.faceCount, "triangle"),
-      counted(size.vertexCount, "vertex", "vertices"), formatName(report.format), seconds));
-  if (report.skippedPolygonCount == 0)
-    return;
-  std::vector<std::string> first;
-  for (const SkippedPolygon& skipped : report.skipped) {
-    first.push_back(fmt::format("face {} {}", skipped.polygon, skipped.reason));
-  }
-  saySkippedList(talk, "faces", report.skippedPolygonCount, report.polygonCount, first);
+             const importing::ImportReport& report, double seconds) {
+  talk.say(
+      fmt::format("{}: {}, {} ({}, read in {:.2f} s)", name, counted(size.faceCount, "triangle"),
+                  counted(size.vertexCount, "vertex", "vertices"), report.formatName, seconds));
+  sayLeftOut(talk, report);
 }
 
 void saySkipped(const Talk& talk, const BuildReport& report,

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "import/import_mesh.hpp"
 #include "render/render_image.hpp"
 
-#include <planetree/mesh/read_mesh.hpp>
 #include <planetree/node/tree_statistics.hpp>
 #include <planetree/split/build_report.hpp>
 
@@ -50,7 +50,7 @@ struct MeshSize {
 };
 
 void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
-             const MeshReadReport& report, double seconds);
+             const importing::ImportReport& report, double seconds);
 
 /// The skipped faces of a mesh. `sourceFaces` is that of the mesh: faces are named by their number
 /// in the file.

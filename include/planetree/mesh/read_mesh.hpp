@@ -12,8 +12,9 @@
 
 namespace planetree {
 
-/// The model files that can be read. Told apart by their content, not by their name.
-enum class MeshFormat : std::uint8_t { Ply, Stl, Obj };
+/// The model files that can be read. Told apart by their content, not by their name. `Other` is for
+/// programs that fill in a report themselves, for a format of their own.
+enum class MeshFormat : std::uint8_t { Ply, Stl, Obj, Other };
 
 /// A polygon of the file that could not become triangles, and why.
 struct SkippedPolygon {
@@ -30,6 +31,8 @@ struct MeshReadReport {
   std::vector<SkippedPolygon> skipped;    ///< the first few
   /// Points, lines, curves and surfaces of OBJ files: they have no polygons and are not read.
   std::uint64_t unreadPrimitiveCount = 0;
+  /// Finite coordinates of the file that are too large for T and so became infinity.
+  std::uint64_t tooLargeCount = 0;
 };
 
 /// Reads a model into one mesh: PLY (ASCII, binary little and big endian), STL (ASCII and binary)
@@ -42,8 +45,9 @@ struct MeshReadReport {
 /// index. Each triangle of a PLY strip is a polygon of its own. Equal corners of STL facets, those
 /// with the same coordinates in T, become one vertex.
 ///
-/// Coordinates are rounded once to the nearest T; those too large for T become infinity. Vertices
-/// that are not finite are kept: the tree skips and counts the faces that use them.
+/// Coordinates are rounded once to the nearest T; those too large for T become infinity and are
+/// counted. Vertices that are not finite are kept: the tree skips and counts the faces that use
+/// them.
 ///
 /// Throws `Error` with `FileNotReadable` (missing, a folder, no permission), `UnknownFormat` (also
 /// for an empty file), `MalformedFile` (truncated, counts that do not fit the file, not a number,

@@ -1,0 +1,120 @@
+// planetree-assimp: reads one model with assimp and tells what it found as message.hpp says. It is
+// started by planetree, not by people.
+
+#include "import/assimp/message_writer.hpp"
+#include "import/assimp/process_limits.hpp"
+#include "import/assimp/scene_sender.hpp"
+
+#include <assimp/importerdesc.h>
+#include <assimp/scene.h>
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+
+namespace {
+
+using namespace planetree::importing;
+
+/// What assimp warns of, told on.
+class Remarks : public Assimp::LogStream {
+ public:
+  explicit Remarks(MessageWriter& writer) noexcept : writer_(writer) {}
+
+  void write(const char* message) override {
+    // "Warn,  T0: ..."
+    std::string_view text = message;
+    const std::size_t mark = text.find(": ");
+    if (mark != std::string_view::npos && text.substr(0, mark).find(" T") != std::string_view::npos)
+      text.remove_prefix(mark + 2);
+    // What the Blender reader says, many times for each file, is only this.
+    if (text.starts_with("<add reason>"))
+      return;
+    writer_.say(MessageKind::Remark, text);
+  }
+
+ private:
+  MessageWriter& writer_;
+};
+
+/// planetree reads these by itself, and never through assimp: one file must not be two meshes.
+void leaveOwnFormats(Assimp::Importer& importer) {
+  for (const char* const extension : {"ply", "stl", "obj"})
+    importer.UnregisterLoader(importer.GetImporter(extension));
+}
+
+/// "glTF2 Importer" as "glTF2".
+std::string formatName(const Assimp::Importer& importer) {
+  const auto index = static_cast<std::size_t>(importer.GetPropertyInteger("importerIndex", -1));
+  const aiImporterDesc* const description = importer.GetImporterInfo(index);
+  if (!description || !description->mName)
+    return "assimp";
+  const std::string_view name = description->mName;
+  for (const std::string_view ending : {" Importer", " importer", " Reader"}) {
+    const std::size_t begin = name.find(ending);
+    if (begin != std::string_view::npos)
+      return std::string(name.substr(0, begin));
+  }
+  return std::string(name);
+}
+
+bool isUnknownFormat(std::string_view reason) noexcept {
+  return reason.find("No suitable reader found") != std::string_view::npos;
+}
+
+void read(const char* path, MessageWriter& writer) {
+  Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
+  Assimp::DefaultLogger::get()->attachStream(new Remarks(writer),
+                                             Assimp::Logger::Err | Assimp::Logger::Warn);
+  Assimp::Importer importer;
+  leaveOwnFormats(importer);
+  const aiScene* const scene = importer.ReadFile(path, 0);
+  if (!scene) {
+    // assimp catches what its readers throw, and keeps it.
+    if (importer.GetException())
+      std::rethrow_exception(importer.GetException());
+    const std::string reason = importer.GetErrorString();
+    const FailureKind kind =
+        isUnknownFormat(reason) ? FailureKind::UnknownFormat : FailureKind::Malformed;
+    return writer.sayFailure(kind, reason);
+  }
+  writer.say(MessageKind::Format, formatName(importer));
+  sendScene(*scene, writer);
+  writer.say(MessageKind::End);
+}
+
+void readOrSayWhyNot(const char* path, MessageWriter& writer) {
+  try {
+    read(path, writer);
+  } catch (const TooManyVertices&) {
+    writer.sayFailure(FailureKind::TooLarge, {});
+  } catch (const std::bad_alloc&) {
+    writer.sayFailure(FailureKind::OutOfMemory, {});
+  } catch (const std::exception& error) {
+    writer.sayFailure(FailureKind::Malformed, error.what());
+  } catch (...) {
+    writer.sayFailure(FailureKind::Malformed, "assimp gives no reason");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::fputs("planetree-assimp is a part of planetree, which starts it. See planetree --help.\n",
+               stderr);
+    return 2;
+  }
+  const int pipe = takeStandardOutput();
+  limitProcess(std::strtoull(argv[2], nullptr, 10), std::strtol(argv[3], nullptr, 10));
+  MessageWriter writer(pipe);
+  readOrSayWhyNot(argv[1], writer);
+  // All has been told. Taking a scene of a bad file apart is one more chance to crash.
+  std::_Exit(EXIT_SUCCESS);
+}
