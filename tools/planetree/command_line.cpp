@@ -1,6 +1,8 @@
 #include "command_line.hpp"
 
+#include "explain_command.hpp"
 #include "help_formatter.hpp"
+#include "info_command.hpp"
 #include "render_command.hpp"
 #include "trace_command.hpp"
 #include "usage_error.hpp"
@@ -31,6 +33,8 @@ CommandLine::CommandLine()
   app_.require_subcommand(1);
   add(addRenderCommand, runRenderCommand);
   add(addTraceCommand, runTraceCommand);
+  add(addInfoCommand, runInfoCommand);
+  add(addExplainCommand, runExplainCommand);
 }
 
 int CommandLine::run(int argc, const char* const* argv) {
