@@ -148,7 +148,8 @@ class KdTree {
 
   /// The arrays of the tree, for the functions of the traversal headers.
   [[nodiscard]] TreeView<Scalar> view() const noexcept {
-    return {data_->nodes, data_->references, data_->geometries, data_->bounds};
+    return {data_->nodes, data_->references, data_->geometries, data_->bounds,
+            data_->wide.get()};
   }
 
   // --- reports ---

@@ -2,6 +2,8 @@
 
 #include "mesh/exact_arithmetic.hpp"
 
+#include <type_traits>
+
 namespace planetree {
 namespace {
 
@@ -74,11 +76,10 @@ std::optional<TriangleIntersection<T>> intersectTriangle(const ShearedRay<T>& ra
   if (sum == 0.0)
     return std::nullopt;
 
-  const double z =
-      (weights.a * static_cast<double>(shearedA.z) + weights.b * static_cast<double>(shearedB.z) +
-       weights.c * static_cast<double>(shearedC.z)) /
-      sum;
-  const auto t = static_cast<T>(z / static_cast<double>(ray.ray.direction[ray.kz]));
+  const double z = weights.a * static_cast<double>(shearedA.z) +
+                   weights.b * static_cast<double>(shearedB.z) +
+                   weights.c * static_cast<double>(shearedC.z);
+  const auto t = static_cast<T>(z / (sum * static_cast<double>(ray.ray.direction[ray.kz])));
   // A NaN fails both comparisons.
   if (!(t >= tMin && t <= tMax))
     return std::nullopt;
@@ -90,12 +91,19 @@ template <class T>
 Vec3<T> triangleNormal(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c,
                        const Vec3<T>& rayDirection) noexcept {
   const auto corner = static_cast<Vec3d>(a);
-  // Edges of unit length keep the product of two tiny ones from vanishing.
-  const Vec3d edgeB = normalized(static_cast<Vec3d>(b) - corner);
-  const Vec3d edgeC = normalized(static_cast<Vec3d>(c) - corner);
+  Vec3d edgeB = static_cast<Vec3d>(b) - corner;
+  Vec3d edgeC = static_cast<Vec3d>(c) - corner;
+  // The product of two edges of floats is far from the ends of double; that of two tiny or huge
+  // edges of doubles may vanish or overflow.
+  if constexpr (std::is_same_v<T, double>) {
+    edgeB = normalized(edgeB);
+    edgeC = normalized(edgeC);
+  }
   const Vec3d normal = cross(edgeB, edgeC);
   if (normal == Vec3d{})
     return static_cast<Vec3<T>>(normalized(-static_cast<Vec3d>(rayDirection)));
+  if constexpr (std::is_same_v<T, float>)
+    return static_cast<Vec3<T>>(normal * (1.0 / length(normal)));
   return static_cast<Vec3<T>>(normalized(normal));
 }
 

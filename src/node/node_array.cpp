@@ -17,13 +17,14 @@ void requireRoom(std::size_t count, std::size_t limit, const std::string& what) 
 
 }  // namespace
 
-std::span<std::uint32_t> NodeArray::addLeaf(std::size_t count) {
+std::span<std::uint32_t> NodeArray::addLeaf(std::size_t count, const Box3& contents) {
   requireRoom(nodes_.size() + 1, kMaxNodeCount, "nodes");
   requireRoom(references_.size() + count, kMaxReferenceCount, "references");
   const std::size_t first = references_.size();
   nodes_.emplace_back(
       LeafNode(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
   references_.resize(first + count);
+  leafBounds_.push_back(contents);
   return std::span(references_).subspan(first);
 }
 
@@ -52,6 +53,7 @@ void NodeArray::append(const NodeArray& part) {
     }
   }
   references_.insert(references_.end(), part.references_.begin(), part.references_.end());
+  leafBounds_.insert(leafBounds_.end(), part.leafBounds_.begin(), part.leafBounds_.end());
 }
 
 }  // namespace planetree::detail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planetree/geometry/box3.hpp>
 #include <planetree/node/node.hpp>
 
 #include <cstddef>
@@ -15,8 +16,8 @@ namespace planetree::detail {
 class NodeArray {
  public:
   /// Adds a leaf of `count` objects and returns room for their numbers, to be filled in rising
-  /// order before anything else is added.
-  [[nodiscard]] std::span<std::uint32_t> addLeaf(std::size_t count);
+  /// order before anything else is added. `contents` bounds what they have inside the cell.
+  [[nodiscard]] std::span<std::uint32_t> addLeaf(std::size_t count, const Box3& contents);
 
   /// Adds a split whose right child is not known yet, and returns where it stands.
   [[nodiscard]] std::size_t addSplit(Axis axis, float position);
@@ -31,10 +32,13 @@ class NodeArray {
   [[nodiscard]] std::vector<std::uint32_t> takeReferences() noexcept {
     return std::move(references_);
   }
+  /// The box of the contents of each leaf, in the order of the leaves.
+  [[nodiscard]] std::vector<Box3> takeLeafBounds() noexcept { return std::move(leafBounds_); }
 
  private:
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> references_;
+  std::vector<Box3> leafBounds_;
 };
 
 }  // namespace planetree::detail

@@ -2,7 +2,9 @@
 #include <planetree/detail/tree_data.hpp>
 #include <planetree/error.hpp>
 
+#include "mesh/place_triangles.hpp"
 #include "node/node_array.hpp"
+#include "node/widen_tree.hpp"
 #include "split/bound_objects.hpp"
 #include "split/phase_clock.hpp"
 #include "split/tree_builder.hpp"
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 namespace planetree::detail {
 namespace {
@@ -104,6 +107,12 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     tree.nodes.shrink_to_fit();
     tree.references.shrink_to_fit();
     clock.end("assemble");
+
+    if constexpr (std::is_same_v<T, float>) {
+      tree.wide = std::make_shared<const WideTree>(
+          widenTree(tree.nodes, array.takeLeafBounds(), tree.bounds, placeTriangles(tree)));
+      clock.end("widen");
+    }
   };
   // An arena of its own keeps the caller's tasks out of the build, and the build out of them.
   tbb::task_arena arena(threadCountFor(options));

@@ -14,8 +14,12 @@ namespace {
 // Below this many references a subtree is too little work to hand to another thread.
 constexpr std::size_t kParallelThreshold = 4096;
 
-void addLeaf(const std::vector<Reference>& references, NodeArray& tree) {
-  const std::span<std::uint32_t> objects = tree.addLeaf(references.size());
+void addLeaf(const std::vector<Reference>& references, const Box3& cell, NodeArray& tree) {
+  Box3 contents;
+  for (const Reference& reference : references)
+    contents.extend(reference.bounds);
+  const std::span<std::uint32_t> objects =
+      tree.addLeaf(references.size(), intersection(contents, cell));
   std::transform(references.begin(), references.end(), objects.begin(),
                  [](const Reference& reference) { return reference.object; });
 }
@@ -25,10 +29,10 @@ void addLeaf(const std::vector<Reference>& references, NodeArray& tree) {
 void TreeBuilder::buildTree(std::vector<Reference> references, const Box3& cell,
                             std::uint32_t level, double budget, NodeArray& tree) const {
   if (mustBeLeaf(references.size(), level))
-    return addLeaf(references, tree);
+    return addLeaf(references, cell, tree);
   const std::optional<SplitPlane> plane = findBestSplitPlane(references, cell, options_);
   if (!plane || !isWorthIt(*plane, references.size()) || !fitsInto(budget, *plane))
-    return addLeaf(references, tree);
+    return addLeaf(references, cell, tree);
 
   const bool isLarge = references.size() >= kParallelThreshold;
   Division division = divide(std::move(references), *plane, cell);

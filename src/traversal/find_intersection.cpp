@@ -1,6 +1,9 @@
 #include <planetree/traversal/find_intersection.hpp>
 
+#include "traversal/search_wide.hpp"
 #include "traversal/traverse.hpp"
+
+#include <type_traits>
 
 namespace planetree {
 namespace {
@@ -10,6 +13,13 @@ bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& opti
             StepCounts* steps, Hit<T>& hit) noexcept {
   detail::Query<T> query(tree, ray, ray.tMin, ray.tMax);
   query.mask = options.mask;
+  if constexpr (std::is_same_v<T, float>) {
+    // Steps are those of the binary form.
+    if (!steps) {
+      if (const std::optional<bool> found = detail::searchWide<Goal>(query, hit))
+        return *found;
+    }
+  }
   const Node& root = tree.nodes.front();
   const Interval<T> part = query.partInsideTree();
   return steps ? detail::traverse<Goal>(root, query, part, hit, detail::Counting(*steps))

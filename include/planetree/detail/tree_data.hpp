@@ -7,9 +7,12 @@
 #include <planetree/split/build_report.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace planetree::detail {
+
+struct WideTree;
 
 /// Everything a tree is made of, whatever its objects. Made by `buildTreeData`, never changed
 /// after.
@@ -19,6 +22,7 @@ struct TreeData {
   std::vector<std::uint32_t> references = {};  ///< object numbers; each leaf names a sorted run
   std::vector<GeometryEntry<T>> geometries = {};
   Box3 bounds = {};  ///< of all objects in the tree; empty without any
+  std::shared_ptr<const WideTree> wide = {};  ///< derived from the nodes; null if there is none
   BuildOptions options = {};
   BuildReport report = {};
 };

@@ -9,6 +9,10 @@
 
 namespace planetree {
 
+namespace detail {
+struct WideTree;
+}
+
 /// What traversal reads: the arrays of a tree, which must outlive the view.
 template <class T>
 struct TreeView {
@@ -16,6 +20,7 @@ struct TreeView {
   std::span<const std::uint32_t> references;
   std::span<const detail::GeometryEntry<T>> geometries;
   Box3 bounds;
+  const detail::WideTree* wide = nullptr;  ///< the same tree in the form made for speed, if any
 };
 
 }  // namespace planetree

@@ -1,0 +1,81 @@
+#include "isa/wide_kernels.hpp"
+
+// Of what Highway can compile for, the sets that differ enough to matter.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2)
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "isa/wide_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Behind foreach_target.h, which compiles what follows once for each set.
+#include <hwy/highway.h>
+
+#include "isa/wide_traversal-inl.hpp"
+
+#if HWY_ONCE
+#include <array>
+#include <cstdlib>
+
+namespace planetree::detail {
+namespace {
+
+struct Target {
+  std::int64_t bit;
+  WideKernels kernels;
+};
+
+constexpr std::array kTargets = {
+#if HWY_TARGETS & HWY_AVX3
+    Target{HWY_AVX3, {"avx512", N_AVX3::findNearest, N_AVX3::findAny}},
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    Target{HWY_AVX2, {"avx2", N_AVX2::findNearest, N_AVX2::findAny}},
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    Target{HWY_SSE4, {"sse4", N_SSE4::findNearest, N_SSE4::findAny}},
+#endif
+#if HWY_TARGETS & HWY_NEON
+    Target{HWY_NEON, {"neon", N_NEON::findNearest, N_NEON::findAny}},
+#endif
+// Plain code: which name it has depends on the compiler.
+#if HWY_TARGETS & HWY_EMU128
+    Target{HWY_EMU128, {"scalar", N_EMU128::findNearest, N_EMU128::findAny}},
+#elif HWY_TARGETS & HWY_SCALAR
+    Target{HWY_SCALAR, {"scalar", N_SCALAR::findNearest, N_SCALAR::findAny}},
+#endif
+};
+
+struct SupportedKernels {
+  std::array<WideKernels, kTargets.size()> kernels = {};
+  std::size_t count = 0;
+
+  SupportedKernels() noexcept {
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (const Target& target : kTargets) {
+      // Plain code runs everywhere; Highway names it only where nothing better does.
+      if ((supported & target.bit) != 0 || target.bit == HWY_STATIC_TARGET)
+        kernels[count++] = target.kernels;
+    }
+  }
+};
+
+}  // namespace
+
+std::span<const WideKernels> supportedWideKernels() noexcept {
+  static const SupportedKernels supported;
+  return {supported.kernels.data(), supported.count};
+}
+
+const WideKernels& wideKernels() noexcept {
+  static const WideKernels& chosen = []() -> const WideKernels& {
+    const char* const wanted = std::getenv("PLANETREE_ISA");
+    for (const WideKernels& kernels : supportedWideKernels()) {
+      if (wanted != nullptr && kernels.name == wanted)
+        return kernels;
+    }
+    return supportedWideKernels().front();
+  }();
+  return chosen;
+}
+
+}  // namespace planetree::detail
+#endif  // HWY_ONCE

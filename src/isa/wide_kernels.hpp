@@ -1,0 +1,27 @@
+#pragma once
+
+#include "traversal/wide_query.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace planetree::detail {
+
+/// The loop over the wide form, compiled for one instruction set. All of them give the same bits.
+struct WideKernels {
+  std::string_view name;  ///< "scalar", "sse4", "avx2", "avx512", "neon"
+  /// Finds the nearest hit with t from `tMin` to `hitT`, of equal ones that with the lowest object.
+  /// True if there is one, which is then in `query`.
+  bool (*findNearest)(WideQuery& query) noexcept;
+  /// True if there is any hit with t from `tMin` to `hitT`.
+  bool (*findAny)(WideQuery& query) noexcept;
+};
+
+/// Those that this machine can run, the best one first.
+[[nodiscard]] std::span<const WideKernels> supportedWideKernels() noexcept;
+
+/// The best one, unless the environment variable PLANETREE_ISA names another one that this machine
+/// can run. Chosen at the first call, once for the program.
+[[nodiscard]] const WideKernels& wideKernels() noexcept;
+
+}  // namespace planetree::detail

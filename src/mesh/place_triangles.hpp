@@ -1,0 +1,13 @@
+#pragma once
+
+#include <planetree/detail/tree_data.hpp>
+
+#include "node/widen_tree.hpp"
+
+namespace planetree::detail {
+
+/// Puts leaves that hold nothing but faces of meshes into blocks; all others, and such as would
+/// take too many blocks, stay leaves of the binary form. The tree must outlive the result.
+[[nodiscard]] PlaceLeaf placeTriangles(const TreeData<float>& tree);
+
+}  // namespace planetree::detail

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <planetree/geometry/box3.hpp>
+#include <planetree/node/node.hpp>
+
+#include "node/wide_node.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace planetree::detail {
+
+/// Puts the objects of a leaf that has some where a wide tree finds them: as blocks behind those
+/// that are there, or left in the leaf.
+using PlaceLeaf =
+    std::function<WideChild(std::uint32_t leafIndex, std::vector<TriangleBlock>& blocks)>;
+
+/// The wide form of a binary tree. `leafBounds` has the box of the contents of each leaf, in the
+/// order of the leaves; `bounds` is that of the whole. Linear in the nodes.
+///
+/// Which subtrees become nodes of their own is chosen so that the area of all wide nodes, and with
+/// it the number that a random ray visits, is smallest: by dynamic programming over the number of
+/// slots that a subtree may take. Ylitie, Karras, Laine, "Efficient incoherent ray traversal on GPUs
+/// through compressed wide BVHs", HPG 2017; here for a kd-tree, whose empty cells take no slot.
+[[nodiscard]] WideTree widenTree(std::span<const Node> nodes, std::span<const Box3> leafBounds,
+                                 const Box3& bounds, const PlaceLeaf& placeLeaf);
+
+}  // namespace planetree::detail

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <planetree/hit/hit.hpp>
+#include <planetree/traversal/prepared_ray.hpp>
+#include <planetree/traversal/tree_view.hpp>
+
+#include "traversal/traverse.hpp"
+
+#include <optional>
+
+namespace planetree::detail {
+
+/// What the wide form of the tree says, bit for bit what `traverse` would. Nothing if there is no
+/// wide form, or if the ray's numbers are beyond its range: then the binary form has to be asked.
+template <class Goal>
+[[nodiscard]] std::optional<bool> searchWide(const Query<float>& query, Hitf& hit) noexcept;
+
+extern template std::optional<bool> searchWide<NearestHit>(const Query<float>&, Hitf&) noexcept;
+extern template std::optional<bool> searchWide<AnyHit>(const Query<float>&, Hitf&) noexcept;
+
+}  // namespace planetree::detail
