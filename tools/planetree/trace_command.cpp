@@ -1,7 +1,6 @@
 #include "trace_command.hpp"
 
 #include "exit_status.hpp"
-#include "interruption.hpp"
 #include "json_text.hpp"
 #include "model.hpp"
 #include "progress_line.hpp"
@@ -172,13 +171,6 @@ bool isJsonOnStandardError(const TraceCommand& command) {
   return command.run.isJson && command.hits == kStandardOutput;
 }
 
-int sayInterrupted(const TraceCommand& command) {
-  printToStandardError(command.hits == kStandardOutput
-                           ? "planetree: interrupted, and not all hits were written\n"
-                           : "planetree: interrupted, and no hits were written\n");
-  return kFailed;
-}
-
 /// The ids of a table are 32-bit numbers with a sign.
 void checkIdsFit(std::uint64_t triangleCount, const std::string& model) {
   if (triangleCount > std::numeric_limits<std::int32_t>::max()) {
@@ -198,9 +190,7 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
   Json mesh = meshJson(size, model.report);
   const BuildOptions build = buildOptions(command.tree, command.run);
   const auto tree = buildModelTree(std::move(model), build, talk);
-  const Interruption interruption;
-  const auto isWanted = [&] { return !interruption.isRequested(); };
-  OutputFile hits(command.hits, isWanted);
+  OutputFile hits(command.hits);
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -213,11 +203,9 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
                         .limits = command.limits,
                         .format = format,
                         .threadCount = command.run.threadCount,
-                        .keepsGoing = isWanted,
                         .reportProgress = [&](double done) { progress.update(done); }});
   }
-  if (report.isInterrupted || !hits.complete())
-    return sayInterrupted(command);
+  hits.complete();
 
   const Summary summary{
       .command = command,
