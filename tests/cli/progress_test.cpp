@@ -26,7 +26,7 @@ TEST(ProgressText, TellsTheTimeThatIsLeft) {
 }
 
 TEST(ProgressText, TellsTheTimeTakenWhereTheEndIsNotKnown) {
-  EXPECT_EQ(tool::progressText("building", 0.0, 12.9), "building, 12 s");
+  EXPECT_EQ(tool::progressText("building the tree", 0.0, 12.9), "building the tree, 12 s");
 }
 
 class Progress : public ToolTest {

@@ -76,8 +76,7 @@ CLI::App* addExplainCommand(CLI::App& app, ExplainCommand& command) {
       "ox,oy,oz,dx,dy,dz[,tMin,tMax]")
       ->required()
       ->type_name("RAY");
-  explain.add_flag("--any", command.isAnyHit, "Stop at any hit, as trace --any does");
-  explain.add_flag("--double", command.isDouble, "Read the model and trace in double");
+  addQueryFlags(explain, command.isAnyHit, command.isDouble);
   addQueryOptions(explain, command.query);
   addRayLimits(explain, command.limits);
   addTreeOptions(explain, command.tree);

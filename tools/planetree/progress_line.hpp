@@ -36,10 +36,10 @@ class ProgressLine {
   std::mutex mutex_;
   std::condition_variable endOfStep_;
   bool hasEnded_ = false;  ///< guarded by `mutex_`
-  std::thread painter_;     ///< none where nothing is shown
+  std::thread painter_;    ///< none where nothing is shown
 };
 
-/// "rendering [=====               ]  25 %, 12 s left", or "building, 3 s".
+/// "rendering [=====               ]  25 %, 12 s left", or "building the tree, 3 s".
 [[nodiscard]] std::string progressText(const std::string& step, double done, double seconds);
 
 }  // namespace planetree::tool

@@ -241,11 +241,6 @@ void addTableOptions(CLI::App& app, TraceCommand& command) {
            "Format of the hits; otherwise as the name of the file "
            "says, or that of the rays")
       ->type_name("csv|npy");
-  app.add_flag("--any", command.isAnyHit,
-               "Find only whether each ray hits anything, which is faster");
-  app.add_flag("--double", command.isDouble,
-               "Read the model and trace in double, as float64 rays do "
-               "by themselves");
 }
 
 }  // namespace
@@ -254,6 +249,7 @@ CLI::App* addTraceCommand(CLI::App& app, TraceCommand& command) {
   CLI::App& trace = *app.add_subcommand("trace", "Find what the rays of a file hit");
   trace.footer(kFooter);
   addTableOptions(trace, command);
+  addQueryFlags(trace, command.isAnyHit, command.isDouble);
   addQueryOptions(trace, command.query);
   addRayLimits(trace, command.limits);
   addTreeOptions(trace, command.tree);
