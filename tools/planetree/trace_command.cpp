@@ -224,7 +224,7 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
 
 void addTableOptions(CLI::App& app, TraceCommand& command) {
   addValue(app, "MODEL", command.model, parsePath,
-           "Model to trace: PLY, STL or OBJ, told apart by content")
+           "Model to trace: PLY, STL, OBJ, OFF, glTF, COLLADA, FBX, 3DS or one of many others")
       ->required()
       ->type_name("");
   addValue(app, "RAYS", command.rays, parsePath,
