@@ -50,9 +50,9 @@ void addSkipped(Page& page, std::string_view name, std::uint64_t count, std::str
     return;
   page.row(name, grouped(count), outOf);
   for (const std::string& each : first)
-    page.row("", "", each);
+    page.line("    " + each);
   if (count > first.size())
-    page.row("", "", "...");
+    page.line("    ...");
 }
 
 void addModel(Page& page, const TreeAccount& account) {
@@ -95,7 +95,7 @@ void addTree(Page& page, const TreeAccount& account) {
 }
 
 void addTimes(Page& page, const TreeAccount& account) {
-  const auto seconds = [](double time) { return fmt::format("{:.3f} s", time); };
+  const auto seconds = [](double time) { return fmt::format("{:.4f} s", time); };
   page.heading("Time");
   page.row("read", seconds(account.readSeconds));
   for (const BuildPhase& phase : account.build.phases)
