@@ -20,6 +20,9 @@ constexpr const char* kExamples = R"(Examples:
   planetree render                  a picture of a scene made in code
   planetree render bunny.obj        a picture of a model
   planetree trace bunny.obj r.csv   what each ray of a file hits
+  planetree info bunny.obj          what the tree of a model is like
+  planetree explain bunny.obj --ray 0,0,5,0,0,-1
+                                    how one ray walks through the tree
   planetree render --help           all options of a command
 )";
 
