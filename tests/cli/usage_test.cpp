@@ -90,7 +90,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{{"render", "--threads", "1000000"}, "--threads 1000000"},
                     Refused{{"render", "--leaf-size", "-1"}, "--leaf-size -1"},
                     Refused{{"render", "--depth-limit", "0"}, "--depth-limit 0"},
-                    Refused{{"render", "--depth-limit", "1000"}, "--depth-limit 1000"}));
+                    Refused{{"render", "--depth-limit", "1000"}, "--depth-limit 1000"},
+                    Refused{{"render", "--show-cells", "0"}, "--show-cells 0"},
+                    Refused{{"render", "--show-cells", "65"}, "--show-cells 65"},
+                    Refused{{"render", "--show-cells", "all"}, "--show-cells all"},
+                    Refused{{"render", "--mode", "heat", "--heat-max", "0"}, "--heat-max 0"},
+                    Refused{{"render", "--mode", "heat", "--heat-max", "-5"}, "--heat-max -5"},
+                    Refused{{"render", "--heat-max", "50"}, "--heat-max: only --mode heat"},
+                    Refused{{"render", "--no-legend"}, "--no-legend: only --mode heat"}));
 
 INSTANTIATE_TEST_SUITE_P(Choices, WrongUsage,
                          testing::Values(Refused{{"render", "--mode", "photo"}, "--mode photo"},
@@ -120,6 +127,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(Outputs, WrongUsage,
                          testing::Values(Refused{{"render", "-o", "picture.jpg"}, "-o picture.jpg"},
+                                         Refused{{"render", "-o", "a.png", "--format", "exr"},
+                                                 "-o a.png: --format exr is something else"},
+                                         Refused{{"render", "-o", "a.exr", "--format", "png"},
+                                                 "-o a.exr: --format png is something else"},
+                                         Refused{{"render", "--format", "tiff"}, "--format tiff"},
                                          Refused{{"render", "-o", ""}, "--output"},
                                          Refused{{"render", "model.obj", "-o", "model.obj"},
                                                  "-o model.obj"}));

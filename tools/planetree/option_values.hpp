@@ -1,5 +1,6 @@
 #pragma once
 
+#include "picture_format.hpp"
 #include "ray_files/table_format.hpp"
 
 #include "render/framing.hpp"
@@ -66,8 +67,10 @@ inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 /// "on" or "off".
 [[nodiscard]] bool parseSwitch(const OptionText& option);
 [[nodiscard]] TableFormat parseTableFormat(const OptionText& option);
+[[nodiscard]] PictureFormat parsePictureFormat(const OptionText& option);
 
-/// The names that `parsePlanarRule` and `parseSwitch` read.
+/// The names that `parseMode`, `parsePlanarRule` and `parseSwitch` read.
+[[nodiscard]] std::string_view modeName(render::RenderMode mode) noexcept;
 [[nodiscard]] std::string_view planarRuleName(PlanarRule rule) noexcept;
 [[nodiscard]] std::string_view switchName(bool isOn) noexcept;
 
