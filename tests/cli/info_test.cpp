@@ -117,6 +117,23 @@ TEST_F(Info, NamesWhatWasSkippedAndWhy) {
   EXPECT_EQ(document["skipped_triangles"].size(), 2u);
 }
 
+TEST_F(Info, NamesOnlyTheFirstFewThatWereSkipped) {
+  std::string model = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (int i = 0; i < 1200; ++i)
+    model += "f 1 1 2\n";
+  writeFile("bad.obj", model);
+  const ToolResult page = run({"info", "bad.obj"});
+  EXPECT_NE(page.out.find("face 5 has two"), std::string::npos) << page.out;
+  EXPECT_EQ(page.out.find("face 6 has two"), std::string::npos) << page.out;
+  EXPECT_NE(page.out.find("... and 1,195 more\n"), std::string::npos) << page.out;
+}
+
+TEST_F(Info, FailsWhereStandardOutputIsFull) {
+  const ToolResult result = run({.arguments = {"info", "soup.obj"}, .standardOutput = "/dev/full"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("standard output: cannot be written"), std::string::npos) << result.err;
+}
+
 TEST_F(Info, ShowsATreeThatIsOneLeaf) {
   writeFile("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const ToolResult result = run({"info", "one.obj", "--plot", "one.svg"});
