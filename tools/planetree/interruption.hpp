@@ -31,10 +31,4 @@ class InterruptionPause {
 /// file at a time. To be called during a pause; the text must live until the next call.
 void removeOnInterruption(const char* path) noexcept;
 
-/// What asked whether to stop before signals ended the tool at once.
-class Interruption {
- public:
-  [[nodiscard]] bool isRequested() const noexcept { return false; }
-};
-
 }  // namespace planetree::tool

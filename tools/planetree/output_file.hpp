@@ -33,14 +33,6 @@ void checkIsWritable(const std::filesystem::path& path);
 /// Writes all bytes. Throws `Error` with `FileNotWritable`.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// The same for callers that still ask whether the file is wanted: it always is.
-template <class IsWanted>
-bool writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes,
-               const IsWanted& /*isWanted*/) {
-  writeFile(path, bytes);
-  return true;
-}
-
 /// A result that is written piece by piece. Unless it is completed, nothing is left of a regular
 /// file, also if a signal ends the tool. There may be one at a time. Every function throws `Error`
 /// with `FileNotWritable`.
