@@ -1,8 +1,8 @@
-#include "tree_page.hpp"
+#include "instruments/tree_page.hpp"
 
-#include "leaf_size_bins.hpp"
+#include "instruments/leaf_size_bins.hpp"
+#include "instruments/text_bar.hpp"
 #include "talk.hpp"
-#include "text_bar.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "walk_page.hpp"
+#include "instruments/walk_page.hpp"
 
+#include "instruments/text_bar.hpp"
 #include "talk.hpp"
-#include "text_bar.hpp"
 
 #include <fmt/format.h>
 
