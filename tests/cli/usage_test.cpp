@@ -29,6 +29,18 @@ TEST_F(Usage, VersionGoesToStandardOutput) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST_F(Usage, VersionNamesTheCompiler) {
+  EXPECT_NE(run({"--version"}).out.find("\ncompiled by "), std::string::npos);
+}
+
+TEST_F(Usage, WithoutACommandAllOfThemAreShown) {
+  const ToolResult result = run({std::vector<std::string>{}});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, run({"--help"}).out);
+  EXPECT_EQ(run({"help"}).out, result.err);
+}
+
 /// A command line that is refused, and what the message must name.
 struct Refused {
   std::vector<std::string> arguments;
@@ -55,12 +67,21 @@ TEST_P(WrongUsage, EndsWithStatusTwoAndOneLineThatNamesTheOption) {
 
 INSTANTIATE_TEST_SUITE_P(
     Commands, WrongUsage,
-    testing::Values(Refused{{}, "planetree --help"}, Refused{{"rendr"}, "rendr: there is no such"},
-                    Refused{{"--bogus"}, "planetree --help"},
-                    Refused{{"render", "--bogus"}, "--bogus"},
-                    Refused{{"render", "model.obj", "other.obj"}, "other.obj"},
-                    Refused{{"render", ""}, "MODEL"}, Refused{{"render", "--size"}, "--size"},
-                    Refused{{"render", "--size", "9x9", "--size", "8x8"}, "--size"}));
+    testing::Values(Refused{{"rendr"}, "rendr: there is no such command. Did you mean render?"},
+                    Refused{{"build", "model.obj"}, "build: there is no such command. See"},
+                    Refused{{"help", "rendr"}, "Did you mean render?"},
+                    Refused{{"completion"}, "SHELL is missing"},
+                    Refused{{"completion", "csh"}, "Give one of bash, zsh, fish"},
+                    Refused{{"--bogus"}, "--bogus: planetree has no such option"},
+                    Refused{{"render", "--bogus"}, "--bogus: planetree render has no such option"},
+                    Refused{{"render", "--thread", "1"}, "Did you mean --threads?"},
+                    Refused{{"trace"}, "MODEL is missing"},
+                    Refused{{"trace", "model.obj"}, "RAYS is missing"},
+                    Refused{{"trace", "model.obj", "-", "--json=x"}, "--json: it takes no value"},
+                    Refused{{"render", "model.obj", "other.obj"}, "other.obj: one argument too"},
+                    Refused{{"render", ""}, "MODEL"},
+                    Refused{{"render", "--size"}, "Give --size WxH"},
+                    Refused{{"render", "--size", "9x9", "--size", "8x8"}, "--size: given more"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Sizes, WrongUsage,
@@ -89,6 +110,20 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{{"render", "--threads", "-1"}, "--threads -1"},
                     Refused{{"render", "--threads", "1000000"}, "--threads 1000000"},
                     Refused{{"render", "--leaf-size", "-1"}, "--leaf-size -1"},
+                    Refused{{"render", "--traversal-cost", "-1"}, "--traversal-cost -1"},
+                    Refused{{"render", "--traversal-cost", "inf"}, "--traversal-cost inf"},
+                    Refused{{"render", "--intersection-cost", "x"}, "--intersection-cost x"},
+                    Refused{{"render", "--empty-bonus", "1"}, "--empty-bonus 1"},
+                    Refused{{"render", "--empty-bonus", "nan"}, "--empty-bonus nan"},
+                    Refused{{"render", "--stops-by-cost", "yes"}, "Give one of on, off"},
+                    Refused{{"render", "--planar-rule", "left"}, "cheaper-side, normal-sign"},
+                    Refused{{"render", "--references-per-object", "-1"}, "object -1"},
+                    Refused{{"trace", "model.obj", "-", "--mask", "-1"}, "--mask -1"},
+                    Refused{{"trace", "model.obj", "-", "--mask", "0x1FFFFFFFF"}, "--mask 0x1FF"},
+                    Refused{{"trace", "model.obj", "-", "--mask", "0x"}, "--mask 0x"},
+                    Refused{{"trace", "model.obj", "-", "--t-min", "nan"}, "--t-min nan"},
+                    Refused{{"trace", "model.obj", "-", "--t-min", "2", "--t-max", "1"},
+                            "--t-min 2: rays end at 1"},
                     Refused{{"render", "--depth-limit", "0"}, "--depth-limit 0"},
                     Refused{{"render", "--depth-limit", "1000"}, "--depth-limit 1000"},
                     Refused{{"render", "--show-cells", "0"}, "--show-cells 0"},

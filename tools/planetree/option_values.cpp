@@ -214,6 +214,11 @@ bool parseSwitch(const OptionText& option) {
   return choose(option, kSwitches);
 }
 
+Shell parseShell(const OptionText& option) {
+  return choose<Shell, 3>(option,
+                          {{{"bash", Shell::Bash}, {"zsh", Shell::Zsh}, {"fish", Shell::Fish}}});
+}
+
 TableFormat parseTableFormat(const OptionText& option) {
   return choose<TableFormat, 2>(option, {{{"csv", TableFormat::Csv}, {"npy", TableFormat::Npy}}});
 }

@@ -32,6 +32,9 @@ struct CameraOption {
   std::optional<float> fovDegrees;
 };
 
+/// A shell that completes command lines.
+enum class Shell : std::uint8_t { Bash, Zsh, Fish };
+
 /// The most pixels of a picture: enough for the largest screens, and memory for them is at hand.
 inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 
@@ -66,6 +69,7 @@ inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 [[nodiscard]] PlanarRule parsePlanarRule(const OptionText& option);
 /// "on" or "off".
 [[nodiscard]] bool parseSwitch(const OptionText& option);
+[[nodiscard]] Shell parseShell(const OptionText& option);
 [[nodiscard]] TableFormat parseTableFormat(const OptionText& option);
 [[nodiscard]] PictureFormat parsePictureFormat(const OptionText& option);
 
