@@ -46,9 +46,11 @@ TEST_F(Explain, TellsTheHitOfARay) {
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(
       result.out,
-      "ray     from (0.25, 0.5, 2) along (0, 0, -1),\n"
+      "ray     from (0.25, 0.5, 2)\n"
+      "        along (0, 0, -1)\n"
       "        t from 0 to inf\n"
-      "bounds  (0, 0, 0) to (1, 1, 0.5)\n"
+      "bounds  from (0, 0, 0)\n"
+      "        to (1, 1, 0.5)\n"
       "\n"
       "It enters the bounds at t = 1.5 and leaves them at t = 2.\n"
       "Brackets hold the part of the ray in a cell. What is indented happens in the near cell.\n"
@@ -190,11 +192,12 @@ TEST_F(Explain, NamesTheFaceOfTheFileThatATriangleWasCutFrom) {
 }
 
 TEST_F(Explain, PagesAreAtMostAHundredColumnsWide) {
-  for (const char* preset : {"default", "textbook"}) {
-    for (const Ray<float>& ray : randomRays<float>(8, 30)) {
-      if (!isFinite(ray.origin) || ray.direction == Vec3f{})
-        continue;
-      const ToolResult result = explain("soup.obj", rayText(ray), {"--preset", preset});
+  for (const Ray<double>& ray : randomRays<double>(8, 40)) {
+    if (!isFinite(ray.origin) || ray.direction == Vec3d{})
+      continue;
+    for (const char* preset : {"default", "textbook"}) {
+      const ToolResult result = explain("soup.obj", rayText(ray), {"--preset", preset, "--double"});
+      ASSERT_EQ(result.status, 0) << result.err;
       std::istringstream lines(result.out);
       for (std::string line; std::getline(lines, line);)
         EXPECT_LE(line.size(), 100u) << line;
