@@ -1,5 +1,5 @@
-# What `cmake --install` puts in place: headers, libraries, the tool, and the package that
-# find_package(planetree) finds. The whole may be moved afterwards.
+# What `cmake --install` puts in place: headers, libraries, the tool with its manual and completions,
+# and the package that find_package(planetree) finds. The whole may be moved afterwards.
 include(CMakePackageConfigHelpers)
 
 set(planetree_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/planetree)
@@ -37,6 +37,14 @@ if(TARGET planetree_tool)
   file(RELATIVE_PATH libraries_from_bin /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
   set_target_properties(planetree_tool PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_bin}")
   install(TARGETS planetree_tool)
+  get_target_property(reference planetree_tool PLANETREE_REFERENCE_DIR)
+  install(FILES ${reference}/planetree.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${reference}/planetree.bash RENAME planetree
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${reference}/_planetree
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${reference}/planetree.fish
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   install(TARGETS planetree_assimp DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/planetree)
 endif()
 

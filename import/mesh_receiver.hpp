@@ -24,7 +24,7 @@ class MeshReceiver {
   MeshReceiver& operator=(const MeshReceiver&) = delete;
 
   /// Takes messages to the last one. Throws `Error` for a failure that they tell of,
-  /// `BrokenMessages` if they break the rules, and `DeadlinePassed`.
+  /// and what `MessageReader::next` throws.
   void receiveAll(MessageReader& messages);
 
   [[nodiscard]] TriangleMesh<T> takeMesh() noexcept { return builder_.takeMesh(); }

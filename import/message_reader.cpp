@@ -38,7 +38,7 @@ void MessageReader::readExactly(std::span<std::byte> bytes) {
     waitForBytes();
     const ssize_t count = ::read(pipe_, bytes.data(), bytes.size());
     if (count == 0)
-      throw BrokenMessages("the messages end too early");
+      throw MessagesEnd();
     if (count < 0 && errno != EINTR)
       throw BrokenMessages("the messages cannot be read");
     if (count > 0)

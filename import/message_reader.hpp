@@ -14,10 +14,16 @@
 
 namespace planetree::importing {
 
-/// Thrown where the other side breaks the rules of message.hpp, or ends before it has told all.
+/// Thrown where the other side breaks the rules of message.hpp.
 class BrokenMessages : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// Thrown where the other side ends before it has told all.
+class MessagesEnd : public std::runtime_error {
+ public:
+  MessagesEnd() : std::runtime_error("the messages end too early") {}
 };
 
 /// Thrown where the other side takes too long.
@@ -58,7 +64,7 @@ class MessageReader {
 
   MessageReader(int pipe, Clock::time_point deadline) : pipe_(pipe), deadline_(deadline) {}
 
-  /// The next message. Throws `BrokenMessages` also if the pipe ends, and `DeadlinePassed`.
+  /// The next message. Throws `BrokenMessages`, `MessagesEnd` and `DeadlinePassed`.
   [[nodiscard]] Message next();
 
  private:

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <exception>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -65,7 +66,7 @@ class Faults {
     return malformed("assimp crashes on it (" + std::string(::strsignal(signal)) + ")");
   }
 
-  [[nodiscard]] Error unclear(const BrokenMessages& fault) const {
+  [[nodiscard]] Error unclear(const std::exception& fault) const {
     return malformed("the program " + limits_.program.string() +
                      " gave no clear answer: " + fault.what());
   }
@@ -117,9 +118,12 @@ TriangleMesh<T> readWithAssimp(const fs::path& path, const ReaderLimits& limits,
   } catch (const DeadlinePassed&) {
     throw faults.tookTooLong();
   } catch (const BrokenMessages& fault) {
-    if (const std::optional<int> signal = process->finish())
-      throw faults.stoppedBy(*signal);
     throw faults.unclear(fault);
+  } catch (const MessagesEnd& end) {
+    constexpr std::chrono::seconds kPatience(1);
+    if (const std::optional<int> signal = process->finish(kPatience))
+      throw faults.stoppedBy(*signal);
+    throw faults.unclear(end);
   }
   if (report)
     *report = receiver.takeReport();

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace planetree::importing {
@@ -102,6 +103,27 @@ pid_t spawn(const std::string& program, std::vector<std::string> arguments, int 
   return pid;
 }
 
+pid_t waitFor(pid_t pid, int& status, int options) noexcept {
+  pid_t ended = -1;
+  do {
+    ended = ::waitpid(pid, &status, options);
+  } while (ended < 0 && errno == EINTR);
+  return ended;
+}
+
+/// Whether the program has ended, or does so before long. There is no waiting for a process with a
+/// time limit that leaves the signals of the caller alone, so we look again and again.
+bool endsWithin(std::chrono::milliseconds patience, pid_t pid, int& status) noexcept {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + patience;
+  while (waitFor(pid, status, WNOHANG) == 0) {
+    if (Clock::now() >= end)
+      return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
 }  // namespace
 
 ReaderProcess::ReaderProcess(const std::filesystem::path& program,
@@ -121,24 +143,20 @@ ReaderProcess::ReaderProcess(const std::filesystem::path& program,
 }
 
 ReaderProcess::~ReaderProcess() {
-  finish();
+  finish(std::chrono::milliseconds(0));
 }
 
-std::optional<int> ReaderProcess::finish() noexcept {
+std::optional<int> ReaderProcess::finish(std::chrono::milliseconds patience) noexcept {
   if (pid_ < 0)
     return std::nullopt;
   const pid_t pid = std::exchange(pid_, -1);
   ::close(std::exchange(output_, -1));
-  // Changes nothing for a program that is ending already: the signal that ended it stays known.
-  ::kill(pid, SIGKILL);
   int status = 0;
-  pid_t ended = -1;
-  do {
-    ended = ::waitpid(pid, &status, 0);
-  } while (ended < 0 && errno == EINTR);
-  if (ended != pid || !WIFSIGNALED(status))
-    return std::nullopt;
-  return WTERMSIG(status);
+  if (endsWithin(patience, pid, status))
+    return WIFSIGNALED(status) ? std::optional<int>(WTERMSIG(status)) : std::nullopt;
+  ::kill(pid, SIGKILL);
+  waitFor(pid, status, 0);
+  return std::nullopt;
 }
 
 }  // namespace planetree::importing

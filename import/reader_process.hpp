@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -26,9 +27,9 @@ class ReaderProcess {
   /// The end of the pipe to read from.
   [[nodiscard]] int output() const noexcept { return output_; }
 
-  /// Closes the pipe, kills the program if it is still there, and waits for its end. Returns the
-  /// signal that ended it, if one did: SIGKILL also if it was this one.
-  std::optional<int> finish() noexcept;
+  /// Closes the pipe, waits for the program to end, and kills it if it has not done so within
+  /// `patience`. Returns the signal that ended it, if one did before that.
+  std::optional<int> finish(std::chrono::milliseconds patience) noexcept;
 
  private:
   int output_ = -1;

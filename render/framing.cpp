@@ -62,6 +62,19 @@ std::vector<Vec3d> pointsNear(const Box3& box, std::span<const Vec3f> points) {
   return near;
 }
 
+/// Adds the corners of the box around the points.
+void addBoxCorners(std::vector<Vec3d>& points) {
+  Box3 box;
+  for (const Vec3d& point : points)
+    box.extend(point);
+  for (const float x : {box.lower.x, box.upper.x}) {
+    for (const float y : {box.lower.y, box.upper.y}) {
+      for (const float z : {box.lower.z, box.upper.z})
+        points.push_back(Vec3d(Vec3f{x, y, z}));
+    }
+  }
+}
+
 /// The highest value of each of the four edge functions of the frame, and the depths, over all
 /// points, measured from the origin along the camera's axes.
 struct FrameSupport {
@@ -105,7 +118,9 @@ std::optional<Camera> frameCamera(std::span<const Vec3f> points, const Framing& 
   const std::vector<Vec3f> finite = finitePoints(points);
   if (finite.empty())
     return std::nullopt;
-  const std::vector<Vec3d> model = pointsNear(percentileBox(finite), finite);
+  std::vector<Vec3d> model = pointsNear(percentileBox(finite), finite);
+  if (framing.showsBox)
+    addBoxCorners(model);
 
   const CameraAxes axes = cameraAxes(-viewpoint(framing.up), Vec3d(upVector(framing.up)));
   const double halfFov = static_cast<double>(framing.fovDegrees) * std::numbers::pi / 360.0;

@@ -21,6 +21,7 @@ struct Framing {
   UpAxis up = UpAxis::Y;
   float fovDegrees = 40.0f;
   double aspect = 4.0 / 3.0;  ///< width of the picture divided by its height
+  bool showsBox = false;      ///< the box around the model has to be in the picture, too
 };
 
 /// The camera that shows all of a model, a little from the right and from above, as near as the

@@ -14,6 +14,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <new>
 #include <string>
 #include <string_view>
@@ -64,6 +66,26 @@ std::string formatName(const Assimp::Importer& importer) {
   return std::string(name);
 }
 
+std::string contentOf(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// assimp knows most formats by content if the name says nothing, but not binary glTF.
+bool isUnnamedGlb(const char* path) {
+  char mark[4] = {};
+  std::ifstream(path, std::ios::binary).read(mark, sizeof(mark));
+  const bool isNamed = std::string_view(path).ends_with(".glb");
+  return !isNamed && std::string_view(mark, sizeof(mark)) == "glTF";
+}
+
+const aiScene* readFile(Assimp::Importer& importer, const char* path) {
+  if (!isUnnamedGlb(path))
+    return importer.ReadFile(path, 0);
+  const std::string bytes = contentOf(path);
+  return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "glb");
+}
+
 bool isUnknownFormat(std::string_view reason) noexcept {
   return reason.find("No suitable reader found") != std::string_view::npos;
 }
@@ -74,7 +96,7 @@ void read(const char* path, MessageWriter& writer) {
                                              Assimp::Logger::Err | Assimp::Logger::Warn);
   Assimp::Importer importer;
   leaveOwnFormats(importer);
-  const aiScene* const scene = importer.ReadFile(path, 0);
+  const aiScene* const scene = readFile(importer, path);
   if (!scene) {
     // assimp catches what its readers throw, and keeps it.
     if (importer.GetException())

@@ -42,6 +42,7 @@ class MemoryStream final : public Imf::OStream {
 };
 
 std::string attributeName(std::string key) {
+  key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
   key[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(key[0])));
   return key;
 }

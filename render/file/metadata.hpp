@@ -7,7 +7,8 @@ namespace planetree::render {
 
 /// One thing that a picture's file says about the picture.
 struct MetadataEntry {
-  /// UpperCamelCase, of ASCII letters and at most 31 of them: both PNG and EXR take such names.
+  /// Words of ASCII letters, each with a capital, with one blank between them. At most 31
+  /// characters: both PNG and EXR take such names.
   std::string key;
   std::string text;  ///< UTF-8 without control characters
 };

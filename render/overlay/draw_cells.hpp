@@ -14,7 +14,7 @@ namespace planetree::render {
 struct CellSettings {
   ImageSize size;
   std::uint32_t depth = 1;  ///< as in cell_edges.hpp
-  Vec3f colour;             ///< in linear light
+  Vec3f colour = {};        ///< in linear light
   std::uint32_t threadCount = 0;
 };
 

@@ -2,10 +2,6 @@
 
 #include <unistd.h>
 
-#include <chrono>
-#include <csignal>
-#include <thread>
-
 namespace planetree::test {
 namespace {
 
@@ -159,28 +155,6 @@ TEST_F(Output, MayBeANullDevice) {
   EXPECT_EQ(runSmall({"-o", "/dev/null"}).status, 0);
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
-
-class Interrupted : public ToolTest, public testing::WithParamInterface<int> {};
-
-TEST_P(Interrupted, WhileRenderingEndsInOrderAndWritesNothing) {
-  using namespace std::chrono_literals;
-  writeFile("picture.png", "the old picture");
-  // Large enough to take minutes: the signal always comes while it renders.
-  ToolProcess tool(folder(), ToolStart{.arguments = {"render", "--size", "4000x4000", "--samples",
-                                                     "256", "-o", "picture.png"}});
-  const auto deadline = std::chrono::steady_clock::now() + 60s;
-  while (tool.errSoFar().find("view: ") == std::string::npos) {
-    ASSERT_LT(std::chrono::steady_clock::now(), deadline) << tool.errSoFar();
-    std::this_thread::sleep_for(20ms);
-  }
-  tool.signal(GetParam());
-  const ToolResult result = tool.wait();
-  expectFailure(result, "interrupted");
-  EXPECT_EQ(filesInFolder(), std::vector<std::string>{"picture.png"});
-  EXPECT_EQ(readFile("picture.png"), "the old picture");
-}
-
-INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM));
 
 }  // namespace
 }  // namespace planetree::test

@@ -26,7 +26,7 @@ std::string contentOf(const fs::path& path) {
 }
 
 void redirect(int stream, const std::string& path, int flags) {
-  const int file = ::open(path.c_str(), flags, 0600);
+  const int file = ::open(path.c_str(), flags | O_NOCTTY, 0600);
   if (file < 0 || ::dup2(file, stream) < 0)
     ::_exit(126);
 }
@@ -94,9 +94,16 @@ ToolResult ToolProcess::wait() {
   rusage usage = {};
   ::wait4(std::exchange(pid_, -1), &status, 0, &usage);
   return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          .signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0,
           .out = contentOf(out_),
           .err = contentOf(err_),
           .peakBytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+}
+
+bool ToolProcess::hasEnded() const {
+  siginfo_t info = {};
+  constexpr int kWithoutReaping = WEXITED | WNOHANG | WNOWAIT;
+  return ::waitid(P_PID, static_cast<id_t>(pid_), &info, kWithoutReaping) == 0 && info.si_pid != 0;
 }
 
 std::string ToolProcess::errSoFar() const {

@@ -14,7 +14,8 @@ namespace planetree::test {
 
 /// What the tool left when it ended.
 struct ToolResult {
-  int status = -1;  ///< exit status; -1 if a signal killed it
+  int status = -1;  ///< exit status; -1 if a signal ended it
+  int signal = 0;   ///< the signal that ended it
   std::string out;
   std::string err;
   std::uint64_t peakBytes = 0;  ///< the most memory that it held at once
@@ -40,6 +41,8 @@ class ToolProcess {
 
   void signal(int number) const;
   [[nodiscard]] ToolResult wait();
+  /// Whether it has ended already; `wait` still has to be called.
+  [[nodiscard]] bool hasEnded() const;
   /// What it has said on standard error so far.
   [[nodiscard]] std::string errSoFar() const;
 

@@ -29,6 +29,18 @@ TEST_F(Usage, VersionGoesToStandardOutput) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST_F(Usage, VersionNamesTheCompiler) {
+  EXPECT_NE(run({"--version"}).out.find("\ncompiled by "), std::string::npos);
+}
+
+TEST_F(Usage, WithoutACommandAllOfThemAreShown) {
+  const ToolResult result = run({std::vector<std::string>{}});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, run({"--help"}).out);
+  EXPECT_EQ(run({"help"}).out, result.err);
+}
+
 /// A command line that is refused, and what the message must name.
 struct Refused {
   std::vector<std::string> arguments;
@@ -55,12 +67,21 @@ TEST_P(WrongUsage, EndsWithStatusTwoAndOneLineThatNamesTheOption) {
 
 INSTANTIATE_TEST_SUITE_P(
     Commands, WrongUsage,
-    testing::Values(Refused{{}, "planetree --help"}, Refused{{"rendr"}, "rendr: there is no such"},
-                    Refused{{"--bogus"}, "planetree --help"},
-                    Refused{{"render", "--bogus"}, "--bogus"},
-                    Refused{{"render", "model.obj", "other.obj"}, "other.obj"},
-                    Refused{{"render", ""}, "MODEL"}, Refused{{"render", "--size"}, "--size"},
-                    Refused{{"render", "--size", "9x9", "--size", "8x8"}, "--size"}));
+    testing::Values(Refused{{"rendr"}, "rendr: there is no such command. Did you mean render?"},
+                    Refused{{"build", "model.obj"}, "build: there is no such command. See"},
+                    Refused{{"help", "rendr"}, "Did you mean render?"},
+                    Refused{{"completion"}, "SHELL is missing"},
+                    Refused{{"completion", "csh"}, "Give one of bash, zsh, fish"},
+                    Refused{{"--bogus"}, "--bogus: planetree has no such option"},
+                    Refused{{"render", "--bogus"}, "--bogus: planetree render has no such option"},
+                    Refused{{"render", "--thread", "1"}, "Did you mean --threads?"},
+                    Refused{{"trace"}, "MODEL is missing"},
+                    Refused{{"trace", "model.obj"}, "RAYS is missing"},
+                    Refused{{"trace", "model.obj", "-", "--json=x"}, "--json: it takes no value"},
+                    Refused{{"render", "model.obj", "other.obj"}, "other.obj: one argument too"},
+                    Refused{{"render", ""}, "MODEL"},
+                    Refused{{"render", "--size"}, "Give --size WxH"},
+                    Refused{{"render", "--size", "9x9", "--size", "8x8"}, "--size: given more"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Sizes, WrongUsage,
@@ -89,8 +110,29 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{{"render", "--threads", "-1"}, "--threads -1"},
                     Refused{{"render", "--threads", "1000000"}, "--threads 1000000"},
                     Refused{{"render", "--leaf-size", "-1"}, "--leaf-size -1"},
+                    Refused{{"render", "--traversal-cost", "-1"}, "--traversal-cost -1"},
+                    Refused{{"render", "--traversal-cost", "inf"}, "--traversal-cost inf"},
+                    Refused{{"render", "--intersection-cost", "x"}, "--intersection-cost x"},
+                    Refused{{"render", "--empty-bonus", "1"}, "--empty-bonus 1"},
+                    Refused{{"render", "--empty-bonus", "nan"}, "--empty-bonus nan"},
+                    Refused{{"render", "--stops-by-cost", "yes"}, "Give one of on, off"},
+                    Refused{{"render", "--planar-rule", "left"}, "cheaper-side, normal-sign"},
+                    Refused{{"render", "--references-per-object", "-1"}, "object -1"},
+                    Refused{{"trace", "model.obj", "-", "--mask", "-1"}, "--mask -1"},
+                    Refused{{"trace", "model.obj", "-", "--mask", "0x1FFFFFFFF"}, "--mask 0x1FF"},
+                    Refused{{"trace", "model.obj", "-", "--mask", "0x"}, "--mask 0x"},
+                    Refused{{"trace", "model.obj", "-", "--t-min", "nan"}, "--t-min nan"},
+                    Refused{{"trace", "model.obj", "-", "--t-min", "2", "--t-max", "1"},
+                            "--t-min 2: rays end at 1"},
                     Refused{{"render", "--depth-limit", "0"}, "--depth-limit 0"},
-                    Refused{{"render", "--depth-limit", "1000"}, "--depth-limit 1000"}));
+                    Refused{{"render", "--depth-limit", "1000"}, "--depth-limit 1000"},
+                    Refused{{"render", "--show-cells", "0"}, "--show-cells 0"},
+                    Refused{{"render", "--show-cells", "65"}, "--show-cells 65"},
+                    Refused{{"render", "--show-cells", "all"}, "--show-cells all"},
+                    Refused{{"render", "--mode", "heat", "--heat-max", "0"}, "--heat-max 0"},
+                    Refused{{"render", "--mode", "heat", "--heat-max", "-5"}, "--heat-max -5"},
+                    Refused{{"render", "--heat-max", "50"}, "--heat-max: only --mode heat"},
+                    Refused{{"render", "--no-legend"}, "--no-legend: only --mode heat"}));
 
 INSTANTIATE_TEST_SUITE_P(Choices, WrongUsage,
                          testing::Values(Refused{{"render", "--mode", "photo"}, "--mode photo"},
@@ -120,6 +162,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(Outputs, WrongUsage,
                          testing::Values(Refused{{"render", "-o", "picture.jpg"}, "-o picture.jpg"},
+                                         Refused{{"render", "-o", "a.png", "--format", "exr"},
+                                                 "-o a.png: --format exr is something else"},
+                                         Refused{{"render", "-o", "a.exr", "--format", "png"},
+                                                 "-o a.exr: --format png is something else"},
+                                         Refused{{"render", "--format", "tiff"}, "--format tiff"},
                                          Refused{{"render", "-o", ""}, "--output"},
                                          Refused{{"render", "model.obj", "-o", "model.obj"},
                                                  "-o model.obj"}));

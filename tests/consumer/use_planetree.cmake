@@ -16,6 +16,15 @@ function(configure_and_build source build)
   run(${CMAKE_COMMAND} --build ${build} --parallel 2)
 endfunction()
 
+# The installed tool finds the program that reads other formats than its own.
+function(run_installed_tool)
+  if(EXISTS ${work}/moved/bin/planetree)
+    file(WRITE ${work}/triangle.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    run(${work}/moved/bin/planetree render ${work}/triangle.off --size 16x16
+        -o ${work}/triangle.png)
+  endif()
+endfunction()
+
 # Installs a build and moves what was installed: nothing may remember the first place.
 function(install_and_move build)
   run(${CMAKE_COMMAND} --install ${build} --prefix ${work}/installed)
@@ -37,6 +46,13 @@ else()
     install_and_move(${work}/planetree)
   else()
     install_and_move(${planetree_build})
+    foreach(file share/man/man1/planetree.1 share/bash-completion/completions/planetree
+                 share/zsh/site-functions/_planetree share/fish/vendor_completions.d/planetree.fish)
+      if(NOT EXISTS ${work}/moved/${file})
+        message(FATAL_ERROR "${file} was not installed")
+      endif()
+    endforeach()
+    run_installed_tool()
   endif()
 endif()
 file(WRITE ${work}/project/use_planetree.cmake "${lines}")

@@ -1,11 +1,14 @@
 #include "command_line.hpp"
 
+#include "exit_status.hpp"
 #include "explain_command.hpp"
 #include "help_formatter.hpp"
 #include "info_command.hpp"
+#include "parse_fault.hpp"
+#include "reference_commands.hpp"
 #include "render_command.hpp"
+#include "talk.hpp"
 #include "trace_command.hpp"
-#include "usage_error.hpp"
 
 #include <fmt/format.h>
 
@@ -17,24 +20,41 @@ namespace planetree::tool {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
-  planetree render                  a picture of a scene made in code
-  planetree render bunny.obj        a picture of a model
-  planetree trace bunny.obj r.csv   what each ray of a file hits
-  planetree render --help           all options of a command
+  planetree render                        a picture of a scene made in code
+  planetree render bunny.obj              a picture of a model
+  planetree trace bunny.obj rays.csv      what each ray of a file hits
+  planetree info bunny.obj                what the tree of a model is like
+  planetree explain bunny.obj --ray 0,0,5,0,0,-1
+                                          how one ray walks through the tree
+  planetree help trace                    all options of a command
 )";
+
+std::string versionText() {
+#if defined(__clang__)
+  constexpr const char* compiler = "clang++ " __clang_version__;
+#else
+  constexpr const char* compiler = "g++ " __VERSION__;
+#endif
+  return fmt::format("planetree {}\ncompiled by {}", PLANETREE_VERSION, compiler);
+}
 
 }  // namespace
 
 CommandLine::CommandLine()
     : app_("Ray queries with a kd-tree built by the surface area heuristic", "planetree") {
   app_.formatter(std::make_shared<HelpFormatter>());
-  app_.set_version_flag("--version", "planetree " PLANETREE_VERSION, "Print the version and exit");
+  app_.set_version_flag("--version", versionText(), "Print the version and exit");
   app_.footer(kExamples);
   app_.require_subcommand(1);
+  app_.get_help_ptr()->description("Print this help and exit");
   add(addRenderCommand, runRenderCommand);
   add(addTraceCommand, runTraceCommand);
   add(addInfoCommand, runInfoCommand);
   add(addExplainCommand, runExplainCommand);
+  add(addHelpCommand, [this](const HelpCommand& c) { return runHelpCommand(c, app_); });
+  add(addCompletionCommand,
+      [this](const CompletionCommand& c) { return runCompletionCommand(c, app_); });
+  add(addManCommand, [this](const ManCommand& c) { return runManCommand(c, app_); });
 }
 
 int CommandLine::run(int argc, const char* const* argv) {
@@ -44,20 +64,17 @@ int CommandLine::run(int argc, const char* const* argv) {
     // --help or --version: what was asked for goes to standard output.
     return app_.exit(success);
   } catch (const CLI::ParseError& error) {
-    const std::vector<CLI::App*> begun = app_.get_subcommands();
-    const bool namesNoCommand = begun.empty() && argc > 1 && argv[1][0] != '-';
-    if (namesNoCommand) {
-      throw UsageError(fmt::format("{}: there is no such command", argv[1]),
-                       "See planetree --help.");
+    if (argc <= 1) {
+      printToStandardError(app_.help());
+      return kWrongUsage;
     }
-    const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
-    throw UsageError(error.what(), fmt::format("See planetree {}--help.", command));
+    throw usageErrorOf(app_, error);
   }
   for (const Subcommand& subcommand : subcommands_) {
     if (subcommand.app->parsed())
       return subcommand.run();
   }
-  return 0;
+  return kWrongUsage;
 }
 
 }  // namespace planetree::tool

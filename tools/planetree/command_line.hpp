@@ -32,10 +32,12 @@ class CommandLine {
 
   /// Adds a subcommand: `addOptions` makes its options, which fill a `Command`; `runCommand` gets
   /// it when they are parsed.
-  template <class Command>
-  void add(CLI::App* (*addOptions)(CLI::App&, Command&), int (*runCommand)(const Command&)) {
+  template <class Command, class Run>
+  void add(CLI::App* (*addOptions)(CLI::App&, Command&), const Run& runCommand) {
     const auto command = std::make_shared<Command>();
-    const CLI::App* const app = addOptions(app_, *command);
+    CLI::App* const app = addOptions(app_, *command);
+    if (app->get_group() == "Subcommands")  // what CLI11 calls them
+      app->group("Commands");
     subcommands_.push_back({app, [command, runCommand] { return runCommand(*command); }});
   }
 

@@ -156,6 +156,14 @@ void addRayLimits(CLI::App& app, RayLimits& limits) {
       ->group("Query");
 }
 
+void addQueryFlags(CLI::App& app, bool& isAnyHit, bool& isDouble) {
+  app.add_flag("--any", isAnyHit, "Find only whether there is any hit, which is faster")
+      ->group("Query");
+  app.add_flag("--double", isDouble,
+               "Read the model and trace in double, as float64 rays are by themselves")
+      ->group("Query");
+}
+
 void addRunOptions(CLI::App& app, RunOptions& options) {
   addWholeNumber(app, "--threads", options.threadCount, 0, kMaxThreadCount,
                  "Threads to use; 0 is as many as the machine has. The result is the same for any "

@@ -45,6 +45,8 @@ void addTreeOptions(CLI::App& app, TreeOptions& options);
 /// One option for each member of `QueryOptions`.
 void addQueryOptions(CLI::App& app, QueryOptions& options);
 void addRayLimits(CLI::App& app, RayLimits& limits);
+/// --any and --double.
+void addQueryFlags(CLI::App& app, bool& isAnyHit, bool& isDouble);
 /// --threads and --quiet.
 void addRunOptions(CLI::App& app, RunOptions& options);
 /// --json, for subcommands that print with `printJson` what they otherwise say.

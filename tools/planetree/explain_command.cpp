@@ -1,19 +1,18 @@
 #include "explain_command.hpp"
 
 #include "exit_status.hpp"
+#include "instruments/print_page.hpp"
 #include "instruments/ray_option.hpp"
 #include "instruments/walk_json.hpp"
 #include "instruments/walk_page.hpp"
 #include "json_text.hpp"
 #include "model.hpp"
-#include "output_file.hpp"
 #include "talk.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <concepts>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,11 +35,6 @@ Examples:
 Exit status: 0 done, whether or not there is a hit, 1 failed, 2 wrong usage.
 )";
 
-void print(const std::string& text) {
-  const auto always = [] { return true; };
-  writeFile(kStandardOutput, std::as_bytes(std::span(text)), always);
-}
-
 template <std::floating_point T>
 int explainIn(const ExplainCommand& command) {
   const Ray<T> ray = parseRay<T>({"--ray", command.ray}, command.limits);
@@ -57,7 +51,7 @@ int explainIn(const ExplainCommand& command) {
     json.update(walkJson(walk, context));
     printJson(json, false);
   } else {
-    print(walkPage(walk, context));
+    printPage(walkPage(walk, context));
   }
   return kDone;
 }
@@ -76,8 +70,7 @@ CLI::App* addExplainCommand(CLI::App& app, ExplainCommand& command) {
       "ox,oy,oz,dx,dy,dz[,tMin,tMax]")
       ->required()
       ->type_name("RAY");
-  explain.add_flag("--any", command.isAnyHit, "Stop at any hit, as trace --any does");
-  explain.add_flag("--double", command.isDouble, "Read the model and trace in double");
+  addQueryFlags(explain, command.isAnyHit, command.isDouble);
   addQueryOptions(explain, command.query);
   addRayLimits(explain, command.limits);
   addTreeOptions(explain, command.tree);

@@ -13,17 +13,9 @@ namespace {
 constexpr int kMillisecondsBetweenQuestions = 100;
 
 /// Anything but a time-out counts as ready: an error shows in the call that is waited for.
-bool isReady(int number, short event, int milliseconds) noexcept {
-  pollfd waited{.fd = number, .events = event, .revents = 0};
+bool isReadable(int number, int milliseconds) noexcept {
+  pollfd waited{.fd = number, .events = POLLIN, .revents = 0};
   return ::poll(&waited, 1, milliseconds) > 0;
-}
-
-bool wait(int number, short event, const std::function<bool()>& isWanted) {
-  while (isWanted()) {
-    if (isReady(number, event, kMillisecondsBetweenQuestions))
-      return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -42,15 +34,15 @@ bool FileDescriptor::isRegularFile() const noexcept {
 }
 
 bool FileDescriptor::waitToRead(const std::function<bool()>& isWanted) const {
-  return wait(number_, POLLIN, isWanted);
-}
-
-bool FileDescriptor::waitToWrite(const std::function<bool()>& isWanted) const {
-  return wait(number_, POLLOUT, isWanted);
+  while (isWanted()) {
+    if (isReadable(number_, kMillisecondsBetweenQuestions))
+      return true;
+  }
+  return false;
 }
 
 bool FileDescriptor::isReadyToRead() const noexcept {
-  return isReady(number_, POLLIN, 0);
+  return isReadable(number_, 0);
 }
 
 bool FileDescriptor::close() noexcept {

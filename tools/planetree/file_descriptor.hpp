@@ -16,11 +16,9 @@ class FileDescriptor {
   [[nodiscard]] int number() const noexcept { return number_; }
   [[nodiscard]] bool isRegularFile() const noexcept;
 
-  /// Waits until reading (or writing) a little will not block; false if `isWanted` said no first,
-  /// which it is asked again and again. A signal that comes just before a blocking call cannot be
-  /// noticed in another way.
+  /// Waits until reading a little will not block; false if `isWanted` said no first, which it is
+  /// asked again and again.
   [[nodiscard]] bool waitToRead(const std::function<bool()>& isWanted) const;
-  [[nodiscard]] bool waitToWrite(const std::function<bool()>& isWanted) const;
   /// Whether reading a little would not block now.
   [[nodiscard]] bool isReadyToRead() const noexcept;
 

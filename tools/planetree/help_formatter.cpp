@@ -50,7 +50,10 @@ std::string HelpFormatter::make_description(const CLI::App* app) const {
 
 std::string HelpFormatter::make_group(std::string group, bool isPositional,
                                       std::vector<const CLI::Option*> options) const {
-  std::string text = fmt::format("\n{}:\n", isPositional ? "Arguments" : group);
+  // CLI11 ends each group but the last one with a blank line; the first one needs one before it.
+  const bool isFirst = isPositional || group == "Options";
+  std::string text =
+      fmt::format("{}{}:\n", isFirst ? "\n" : "", isPositional ? "Arguments" : group);
   for (const CLI::Option* const option : options)
     text += make_option(option, isPositional);
   return text;

@@ -2,13 +2,14 @@
 
 #include "exit_status.hpp"
 #include "instruments/exact_json.hpp"
+#include "instruments/print_page.hpp"
 #include "instruments/tree_account.hpp"
 #include "instruments/tree_page.hpp"
 #include "instruments/tree_plot.hpp"
-#include "interruption.hpp"
 #include "json_text.hpp"
 #include "model.hpp"
 #include "output_file.hpp"
+#include "progress_line.hpp"
 #include "talk.hpp"
 #include "usage_error.hpp"
 
@@ -83,6 +84,8 @@ struct Accounts {
 Accounts takeStock(const InfoCommand& command, const BuildOptions& options) {
   // What would be said here stands on the page.
   const Talk silence(true);
+  const ProgressLine progress("building the tree of " + command.model.filename().string(),
+                              !command.run.isQuiet);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   Model<float> model = readModel<float>(command.model, silence);
@@ -102,6 +105,9 @@ Accounts takeStock(const InfoCommand& command, const BuildOptions& options) {
                    .skippedPolygonCount = report.skippedPolygonCount,
                    .skippedPolygons = skippedPolygons(report),
                    .skippedTriangles = skippedTriangles(tree.report(), sourceFaces),
+                   .unreadPrimitiveCount = report.unreadPrimitiveCount,
+                   .tooLargeCount = report.tooLargeCount,
+                   .remarks = report.remarks,
                    .readSeconds = readSeconds,
                    .bounds = tree.bounds(),
                    .build = tree.report(),
@@ -143,6 +149,7 @@ Json infoJson(const Accounts& accounts, const BuildOptions& options) {
       {"mesh", accounts.mesh},
       {"skipped_polygons", account.skippedPolygons},
       {"skipped_triangles", account.skippedTriangles},
+      {"remarks", account.remarks},
       {"bounds", exactJson(account.bounds)},
       {"read_seconds", account.readSeconds},
       {"build", buildJson(options, account.build)},
@@ -150,20 +157,11 @@ Json infoJson(const Accounts& accounts, const BuildOptions& options) {
   };
 }
 
-void print(const std::string& text) {
-  const auto always = [] { return true; };
-  writeFile(kStandardOutput, std::as_bytes(std::span(text)), always);
-}
-
-/// Returns whether it was written.
-bool writePlot(const TreeAccount& account, const fs::path& path, const Talk& talk) {
-  const Interruption interruption;
+void writePlot(const TreeAccount& account, const fs::path& path, const Talk& talk) {
   const std::string svg = treePlot(account);
-  if (!writeFile(path, std::as_bytes(std::span(svg)), [&] { return !interruption.isRequested(); }))
-    return false;
+  writeFile(path, std::as_bytes(std::span(svg)));
   talk.say(fmt::format("wrote {} ({})", path == kStandardOutput ? "standard output" : path.string(),
                        byteText(svg.size())));
-  return true;
 }
 
 }  // namespace
@@ -191,14 +189,12 @@ int runInfoCommand(const InfoCommand& command) {
 
   const bool isPlotData = writesPlotToStandardOutput(command);
   const Talk talk(command.run.isQuiet || (isPlotData && command.run.isJson));
-  if (command.plot && !writePlot(accounts.tree, *command.plot, talk)) {
-    printToStandardError("planetree: interrupted, and no plot was written\n");
-    return kFailed;
-  }
+  if (command.plot)
+    writePlot(accounts.tree, *command.plot, talk);
   if (command.run.isJson) {
     printJson(infoJson(accounts, options), isPlotData);
   } else if (!isPlotData) {
-    print(treePage(accounts.tree));
+    printPage(treePage(accounts.tree));
   }
   return kDone;
 }

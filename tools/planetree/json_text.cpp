@@ -78,8 +78,7 @@ void printJson(const Json& json, bool isDataOnStandardOutput) {
     printToStandardError(text);
     return;
   }
-  const auto always = [] { return true; };
-  writeFile(kStandardOutput, std::as_bytes(std::span(text)), always);
+  writeFile(kStandardOutput, std::as_bytes(std::span(text)));
 }
 
 }  // namespace planetree::tool

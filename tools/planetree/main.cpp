@@ -1,5 +1,6 @@
 #include "command_line.hpp"
 #include "exit_status.hpp"
+#include "interruption.hpp"
 #include "talk.hpp"
 #include "usage_error.hpp"
 
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
   // A closed pipe and a file size limit are then errors of the write, which are reported.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  endOnInterruption();
   try {
     return CommandLine().run(argc, argv);
   } catch (const UsageError& error) {

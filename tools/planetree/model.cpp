@@ -1,5 +1,7 @@
 #include "model.hpp"
 
+#include "progress_line.hpp"
+
 #include <planetree/error.hpp>
 
 #include <fmt/format.h>
@@ -19,16 +21,25 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Makes the result while a line of progress tells what takes so long.
+template <class Make>
+auto withProgress(std::string step, const Talk& talk, const Make& make) {
+  const ProgressLine progress(std::move(step), !talk.isQuiet());
+  return make();
+}
+
 }  // namespace
 
 template <std::floating_point T>
 Model<T> readModel(const std::filesystem::path& path, const Talk& talk) {
   const Clock::time_point start = Clock::now();
   Model<T> model{.name = path.string(), .mesh = {}, .report = {}};
-  model.mesh = importing::importMesh<T>(path, &model.report);
+  const std::string fileName = path.filename().string();
+  model.mesh = withProgress("reading " + fileName, talk,
+                            [&] { return importing::importMesh<T>(path, &model.report); });
   const MeshSize size{.faceCount = model.mesh.faces.size(),
                       .vertexCount = model.mesh.positions.size()};
-  sayMesh(talk, path.filename().string(), size, model.report, secondsSince(start));
+  sayMesh(talk, fileName, size, model.report, secondsSince(start));
   if (model.mesh.faces.empty()) {
     throw Error(ErrorCode::InvalidGeometry, "has no triangles",
                 "Rays do not hit point clouds and curves: export the model with its faces.",
@@ -40,7 +51,8 @@ Model<T> readModel(const std::filesystem::path& path, const Talk& talk) {
 template <std::floating_point T>
 KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options, const Talk& talk) {
   const std::vector<std::uint32_t> sourceFaces = model.mesh.sourceFaces;
-  auto tree = buildTree(std::move(model.mesh), options);
+  auto tree = withProgress("building the tree", talk,
+                           [&] { return buildTree(std::move(model.mesh), options); });
   const BuildReport& report = tree.report();
   saySkipped(talk, report, sourceFaces);
   if (report.skippedCount == report.objectCount) {

@@ -43,7 +43,7 @@ ValueKind kindOf(std::string_view value, const std::vector<std::string>& choices
     return ValueKind::Choice;
   if (value == "MODEL")
     return ValueKind::Model;
-  if (value == "FILE" || value == "RAYS")
+  if (value.starts_with("FILE") || value == "RAYS")
     return ValueKind::File;
   return value == "COMMAND" ? ValueKind::Command : ValueKind::Text;
 }
@@ -60,6 +60,12 @@ std::vector<std::string> namesOf(const CLI::Option& option) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& modelExtensions() {
+  static const std::vector<std::string> extensions = {"ply", "stl", "obj",   "off", "gltf", "glb",
+                                                      "dae", "fbx", "blend", "3ds", "dxf",  "lwo"};
+  return extensions;
+}
 
 OptionSyntax optionSyntax(const CLI::Option& option) {
   OptionSyntax syntax;

@@ -16,7 +16,7 @@ enum class ValueKind : std::uint8_t {
   Nothing,  ///< a flag
   Choice,   ///< "a|b": one of these words
   Model,    ///< "MODEL": a file with a mesh
-  File,     ///< "FILE", "RAYS": any file
+  File,     ///< "FILE", "FILE.svg", "RAYS": any file
   Command,  ///< "COMMAND": a subcommand
   Text,     ///< anything else
 };
@@ -41,6 +41,9 @@ struct CommandSyntax {
   std::vector<OptionSyntax> options;  ///< in their order, the positional ones too
   std::vector<CommandSyntax> commands;
 };
+
+/// How the names of most models end, without the dot; docs/model_files.md has all of them.
+[[nodiscard]] const std::vector<std::string>& modelExtensions();
 
 [[nodiscard]] OptionSyntax optionSyntax(const CLI::Option& option);
 [[nodiscard]] CommandSyntax commandSyntax(const CLI::App& app);

@@ -214,8 +214,32 @@ bool parseSwitch(const OptionText& option) {
   return choose(option, kSwitches);
 }
 
+Shell parseShell(const OptionText& option) {
+  return choose<Shell, 3>(option,
+                          {{{"bash", Shell::Bash}, {"zsh", Shell::Zsh}, {"fish", Shell::Fish}}});
+}
+
 TableFormat parseTableFormat(const OptionText& option) {
   return choose<TableFormat, 2>(option, {{{"csv", TableFormat::Csv}, {"npy", TableFormat::Npy}}});
+}
+
+PictureFormat parsePictureFormat(const OptionText& option) {
+  return choose<PictureFormat, 2>(option,
+                                  {{{"png", PictureFormat::Png}, {"exr", PictureFormat::Exr}}});
+}
+
+std::string_view modeName(render::RenderMode mode) noexcept {
+  switch (mode) {
+    case render::RenderMode::Normals:
+      return "normals";
+    case render::RenderMode::Depth:
+      return "depth";
+    case render::RenderMode::Heat:
+      return "heat";
+    case render::RenderMode::AmbientOcclusion:
+      break;
+  }
+  return "ao";
 }
 
 std::string_view planarRuleName(PlanarRule rule) noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "picture_format.hpp"
 #include "ray_files/table_format.hpp"
 
 #include "render/framing.hpp"
@@ -30,6 +31,9 @@ struct CameraOption {
   Vec3f at;
   std::optional<float> fovDegrees;
 };
+
+/// A shell that completes command lines.
+enum class Shell : std::uint8_t { Bash, Zsh, Fish };
 
 /// The most pixels of a picture: enough for the largest screens, and memory for them is at hand.
 inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
@@ -65,9 +69,12 @@ inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 [[nodiscard]] PlanarRule parsePlanarRule(const OptionText& option);
 /// "on" or "off".
 [[nodiscard]] bool parseSwitch(const OptionText& option);
+[[nodiscard]] Shell parseShell(const OptionText& option);
 [[nodiscard]] TableFormat parseTableFormat(const OptionText& option);
+[[nodiscard]] PictureFormat parsePictureFormat(const OptionText& option);
 
-/// The names that `parsePlanarRule` and `parseSwitch` read.
+/// The names that `parseMode`, `parsePlanarRule` and `parseSwitch` read.
+[[nodiscard]] std::string_view modeName(render::RenderMode mode) noexcept;
 [[nodiscard]] std::string_view planarRuleName(PlanarRule rule) noexcept;
 [[nodiscard]] std::string_view switchName(bool isOn) noexcept;
 

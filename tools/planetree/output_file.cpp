@@ -1,5 +1,7 @@
 #include "output_file.hpp"
 
+#include "interruption.hpp"
+
 #include <planetree/error.hpp>
 
 #include <fcntl.h>
@@ -9,10 +11,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <climits>
 #include <string>
 #include <system_error>
-#include <utility>
 
 namespace planetree::tool {
 
@@ -93,6 +93,27 @@ off_t startOf(const FileDescriptor& file) noexcept {
   return isAppending ? -1 : ::lseek(file.number(), 0, SEEK_CUR);
 }
 
+bool isWrittenDirectly(const fs::path& path) {
+  return path == kStandardOutput || isSpecialFile(path);
+}
+
+FileDescriptor openDirectly(const fs::path& path) {
+  if (path != kStandardOutput)
+    return openForWriting(path, 0, path);
+  FileDescriptor file(::dup(STDOUT_FILENO));
+  if (file.number() < 0)
+    fail(shownName(path), errno);
+  return file;
+}
+
+/// Opens a new file that stands in for `named` for the time being.
+FileDescriptor createTemporary(const fs::path& temporary, const fs::path& named) {
+  const InterruptionPause pause;
+  FileDescriptor file = openForWriting(temporary, O_CREAT | O_EXCL, named);
+  removeOnInterruption(temporary.c_str());
+  return file;
+}
+
 void checkPath(const fs::path& path) {
   if (fs::is_directory(path))
     fail(path, EISDIR);
@@ -132,74 +153,40 @@ bool canOverwriteStart(const fs::path& path) {
   return !fs::is_fifo(status) && !fs::is_socket(status);
 }
 
-bool writeFile(const fs::path& path, std::span<const std::byte> bytes,
-               const std::function<bool()>& isWanted) {
-  if (!isWanted())
-    return false;
-  OutputFile file(path, isWanted);
-  return file.write(bytes) && file.complete();
+void writeFile(const fs::path& path, std::span<const std::byte> bytes) {
+  OutputFile file(path);
+  file.write(bytes);
+  file.complete();
 }
 
-/// How a file is written: under a temporary name, or directly.
-struct OutputFile::Place {
-  fs::path temporary;
-  fs::path target;
-  FileDescriptor file;
-
-  static Place standardOutput() {
-    FileDescriptor file(::dup(STDOUT_FILENO));
-    if (file.number() < 0)
-      fail(shownName(kStandardOutput), errno);
-    return {.temporary = {}, .target = {}, .file = std::move(file)};
-  }
-
-  static Place of(const fs::path& path) try {
-    if (path == kStandardOutput)
-      return standardOutput();
-    if (isSpecialFile(path))
-      return {.temporary = {}, .target = path, .file = openForWriting(path, 0, path)};
-    const fs::path target = replacedPath(path);
-    const fs::path temporary = unusedPathBeside(target);
-    return {.temporary = temporary,
-            .target = target,
-            .file = openForWriting(temporary, O_CREAT | O_EXCL, path)};
-  } catch (const fs::filesystem_error& error) {
-    fail(path, error.code().value());
-  }
-};
-
-OutputFile::OutputFile(fs::path path, std::function<bool()> isWanted)
-    : OutputFile(path, std::move(isWanted), Place::of(path)) {}
-
-OutputFile::OutputFile(fs::path path, std::function<bool()> isWanted, Place place)
+OutputFile::OutputFile(const fs::path& path) try
     : path_(shownName(path)),
-      isWanted_(std::move(isWanted)),
-      temporary_(std::move(place.temporary)),
-      target_(std::move(place.target)),
-      file_(std::move(place.file)),
-      start_(startOf(file_)) {}
+      target_(isWrittenDirectly(path) ? fs::path() : replacedPath(path)),
+      temporary_(target_.empty() ? fs::path() : unusedPathBeside(target_)),
+      file_(temporary_.empty() ? openDirectly(path) : createTemporary(temporary_, path)),
+      start_(startOf(file_)) {
+} catch (const fs::filesystem_error& error) {
+  fail(path, error.code().value());
+}
 
 OutputFile::~OutputFile() {
+  if (temporary_.empty())
+    return;
+  const InterruptionPause pause;
   std::error_code ignored;
-  if (!temporary_.empty())
-    fs::remove(temporary_, ignored);
+  fs::remove(temporary_, ignored);
+  removeOnInterruption(nullptr);
 }
 
-bool OutputFile::write(std::span<const std::byte> bytes) {
-  const bool mayBlock = !file_.isRegularFile();
+void OutputFile::write(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    if (mayBlock && !file_.waitToWrite(isWanted_))
-      return false;
-    // A pipe that is ready takes this much at once, without making its writer wait.
-    const std::size_t most = mayBlock ? std::size_t{PIPE_BUF} : bytes.size();
-    const ssize_t count = ::write(file_.number(), bytes.data(), std::min(bytes.size(), most));
+    const ssize_t count = ::write(file_.number(), bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR)
       continue;
     if (count < 0)
       fail(path_, errno);
     bytes = bytes.subspan(static_cast<std::size_t>(count));
   }
-  return true;
 }
 
 void OutputFile::overwriteStart(std::span<const std::byte> bytes) {
@@ -215,16 +202,15 @@ void OutputFile::overwriteStart(std::span<const std::byte> bytes) {
   }
 }
 
-bool OutputFile::complete() try {
+void OutputFile::complete() try {
   if (!file_.close())
     fail(path_, errno);
   if (temporary_.empty())
-    return true;
-  if (!isWanted_())
-    return false;
+    return;
+  const InterruptionPause pause;
   fs::rename(temporary_, target_);
+  removeOnInterruption(nullptr);
   temporary_.clear();
-  return true;
 } catch (const fs::filesystem_error& error) {
   fail(path_, error.code().value());
 }

@@ -6,8 +6,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -32,40 +30,32 @@ void checkIsWritable(const std::filesystem::path& path);
 /// appends whatever is written.
 [[nodiscard]] bool canOverwriteStart(const std::filesystem::path& path);
 
-/// Writes all bytes. `isWanted` is asked once more just before the file appears under its name; if
-/// it answers no, nothing is left. Returns whether the file was written. Throws `Error` with
-/// `FileNotWritable`.
-bool writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes,
-               const std::function<bool()>& isWanted);
+/// Writes all bytes. Throws `Error` with `FileNotWritable`.
+void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 /// A result that is written piece by piece. Unless it is completed, nothing is left of a regular
-/// file. Every function throws `Error` with `FileNotWritable`.
+/// file, also if a signal ends the tool. There may be one at a time. Every function throws `Error`
+/// with `FileNotWritable`.
 class OutputFile {
  public:
-  /// `isWanted` is asked from time to time while a pipe keeps its writer waiting, and once more
-  /// just before the file appears under its name.
-  OutputFile(std::filesystem::path path, std::function<bool()> isWanted);
+  explicit OutputFile(const std::filesystem::path& path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
-  /// Appends the bytes; false if they are no longer wanted.
-  [[nodiscard]] bool write(std::span<const std::byte> bytes);
+  /// Appends the bytes.
+  void write(std::span<const std::byte> bytes);
 
   /// Replaces the first bytes that were written.
   void overwriteStart(std::span<const std::byte> bytes);
 
-  /// Makes the file appear; false if it is no longer wanted.
-  [[nodiscard]] bool complete();
+  /// Makes the file appear.
+  void complete();
 
  private:
-  struct Place;
-  OutputFile(std::filesystem::path path, std::function<bool()> isWanted, Place place);
-
-  std::filesystem::path path_;
-  std::function<bool()> isWanted_;
-  std::filesystem::path temporary_;  ///< empty where the file is written directly
-  std::filesystem::path target_;     ///< what the temporary file is renamed to
+  std::filesystem::path path_;       ///< for errors
+  std::filesystem::path target_;     ///< what appears; empty if it is written directly
+  std::filesystem::path temporary_;  ///< what is written until then; likewise
   FileDescriptor file_;
   off_t start_ = 0;  ///< where the first byte stands; negative if nobody can go there again
 };

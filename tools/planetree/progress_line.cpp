@@ -12,8 +12,11 @@ namespace planetree::tool {
 
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenUpdates{100};
+/// Steps that are shorter than this show nothing.
+constexpr std::chrono::milliseconds kBeforeFirst{1000};
+constexpr std::chrono::milliseconds kBetween{200};
 constexpr const char* kEraseLine = "\r\x1b[K";
+constexpr int kBarWidth = 20;
 
 std::string timeText(double seconds) {
   const auto whole = static_cast<long long>(std::ceil(seconds));
@@ -26,27 +29,45 @@ std::string timeText(double seconds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string step, bool isWanted)
-    : step_(std::move(step)), isShown_(isWanted && ::isatty(STDERR_FILENO) == 1) {}
-
-ProgressLine::~ProgressLine() {
-  if (isShown_)
-    std::fputs(kEraseLine, stderr);
+ProgressLine::ProgressLine(std::string step, bool isWanted) : step_(std::move(step)) {
+  if (isWanted && ::isatty(STDERR_FILENO) == 1)
+    painter_ = std::thread([this] { showUntilEnd(); });
 }
 
-void ProgressLine::update(double done) {
-  if (!isShown_)
+ProgressLine::~ProgressLine() {
+  if (!painter_.joinable())
     return;
-  // A thread that finds another one printing has nothing newer to say.
-  const std::unique_lock lock(mutex_, std::try_to_lock);
-  const Clock::time_point now = Clock::now();
-  if (!lock || now - lastShown_ < kBetweenUpdates || !(done > 0.0))
+  {
+    const std::scoped_lock lock(mutex_);
+    hasEnded_ = true;
+  }
+  endOfStep_.notify_one();
+  painter_.join();
+}
+
+void ProgressLine::showUntilEnd() {
+  std::unique_lock lock(mutex_);
+  const auto hasEnded = [this] { return hasEnded_; };
+  if (endOfStep_.wait_for(lock, kBeforeFirst, hasEnded))
     return;
-  lastShown_ = now;
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  printToStandardError(fmt::format("{}{} {:3.0f} %, {} left", kEraseLine, step_,
-                                   std::floor(100.0 * done),
-                                   timeText(elapsed * (1.0 - done) / done)));
+  do {
+    show();
+  } while (!endOfStep_.wait_for(lock, kBetween, hasEnded));
+  printToStandardError(kEraseLine);
+}
+
+void ProgressLine::show() const {
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  printToStandardError(kEraseLine + progressText(step_, done_, seconds));
+}
+
+std::string progressText(const std::string& step, double done, double seconds) {
+  if (!(done > 0.0))
+    return fmt::format("{}, {:.0f} s", step, std::floor(seconds));
+  const int filled = static_cast<int>(std::floor(done * kBarWidth));
+  return fmt::format("{} [{:<{}}] {:3.0f} %, {} left", step,
+                     std::string(static_cast<std::size_t>(filled), '='), kBarWidth,
+                     std::floor(100.0 * done), timeText(seconds * (1.0 - done) / done));
 }
 
 }  // namespace planetree::tool

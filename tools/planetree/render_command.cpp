@@ -1,20 +1,24 @@
 #include "render_command.hpp"
 
 #include "exit_status.hpp"
-#include "interruption.hpp"
+#include "json_text.hpp"
 #include "output_file.hpp"
+#include "picture_metadata.hpp"
 #include "progress_line.hpp"
 #include "subject.hpp"
 #include "talk.hpp"
 #include "usage_error.hpp"
 
+#include "render/file/encode_exr.hpp"
 #include "render/file/encode_png.hpp"
+#include "render/overlay/heat_legend.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
-#include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace planetree::tool {
@@ -23,56 +27,76 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMaxSamplesPerPixel = 65536;
+std::string_view formatName(PictureFormat format) noexcept {
+  return format == PictureFormat::Png ? "png" : "exr";
+}
 
-constexpr const char* kExamples = R"(Examples:
-  planetree render
-      a still life made in code, as render.png
-  planetree render bunny.obj
-      ambient occlusion of a model, as bunny.png
-  planetree render bunny.obj --mode heat -o bunny-heat.png
-      how much work each ray is
-  planetree render scan.ply --up z --size 1920x1080 --samples 32
-      a model with z up, larger and smoother
-  planetree render room.ply --camera -15,-9,0.5,10,-7,-1,70
-      from the eye (-15, -9, 0.5) toward (10, -7, -1), 70 degrees
-  planetree render bunny.obj --quiet -o - | display
-      the PNG on standard output
+/// What the name of a file promises; `UsageError` if that is no picture. Names without an extension
+/// and standard output promise nothing.
+std::optional<PictureFormat> formatOfName(const fs::path& path) {
+  const std::string extension = lowerCaseExtension(path);
+  if (path == kStandardOutput || extension.empty())
+    return std::nullopt;
+  if (extension == ".png")
+    return PictureFormat::Png;
+  if (extension == ".exr")
+    return PictureFormat::Exr;
+  throw UsageError(fmt::format("-o {}: pictures are PNG or EXR files", path.string()),
+                   "Give a name that ends in .png or .exr.");
+}
 
-Exit status: 0 done, 1 failed, 2 wrong usage.
-)";
+PictureFormat chosenFormat(const RenderCommand& command) {
+  if (command.format)
+    return *command.format;
+  const auto promised = command.output ? formatOfName(*command.output) : std::nullopt;
+  return promised.value_or(PictureFormat::Png);
+}
 
 fs::path outputPath(const RenderCommand& command) {
   if (command.output)
     return *command.output;
-  return command.model ? command.model->stem().concat(".png") : fs::path("render.png");
+  const fs::path stem = command.model ? command.model->stem() : fs::path("render");
+  return fs::path(stem).concat(fmt::format(".{}", formatName(chosenFormat(command))));
 }
 
-/// The picture is always a PNG; a name that promises something else is refused, as is one that
-/// would make the picture replace its model.
+/// A name that promises another kind of file is refused, as is one that would make the picture
+/// replace its model.
 void checkOutputName(const RenderCommand& command) {
   if (!command.output)
     return;
+  const std::string shown = command.output->string();
   if (*command.output == kStandardOutput) {
     if (::isatty(STDOUT_FILENO) == 0)
       return;
     throw UsageError("-o -: standard output is a terminal",
                      "Send the picture to a file or a program: planetree render -o - > out.png.");
   }
-  const std::string extension = lowerCaseExtension(*command.output);
-  if (!extension.empty() && extension != ".png") {
-    throw UsageError(fmt::format("-o {}: pictures are PNG files", command.output->string()),
-                     "Give a name that ends in .png.");
+  const auto promised = formatOfName(*command.output);
+  if (command.format && promised && *command.format != *promised) {
+    throw UsageError(
+        fmt::format("-o {}: --format {} is something else", shown, formatName(*command.format)),
+        "Leave out --format, or change the name.");
   }
   std::error_code missing;
   if (command.model && fs::equivalent(*command.model, *command.output, missing)) {
-    throw UsageError(fmt::format("-o {}: that is the model", command.output->string()),
+    throw UsageError(fmt::format("-o {}: that is the model", shown),
                      "Give the picture another name.");
   }
 }
 
+void checkHeatOptions(const RenderCommand& command) {
+  if (command.mode == render::RenderMode::Heat)
+    return;
+  const std::string advice = "Add --mode heat, or leave it out.";
+  if (command.heatMax)
+    throw UsageError("--heat-max: only --mode heat has such a scale", advice);
+  if (!command.hasLegend)
+    throw UsageError("--no-legend: only --mode heat has a legend", advice);
+}
+
 void checkOptionsAgree(const RenderCommand& command) {
   checkOutputName(command);
+  checkHeatOptions(command);
   if (command.fovDegrees && command.camera && command.camera->fovDegrees) {
     throw UsageError("--fov: --camera gives the field of view too",
                      "Leave out --fov, or the seventh number of --camera.");
@@ -83,7 +107,7 @@ void checkOptionsAgree(const RenderCommand& command) {
 }
 
 render::Framing framing(const RenderCommand& command) {
-  render::Framing framing{.up = command.up};
+  render::Framing framing{.up = command.up, .showsBox = command.cellDepth.has_value()};
   framing.aspect = static_cast<double>(command.size.width) / command.size.height;
   if (command.fovDegrees)
     framing.fovDegrees = *command.fovDegrees;
@@ -102,119 +126,138 @@ render::Camera chosenCamera(const RenderCommand& command, const render::Camera& 
   return camera;
 }
 
-int sayInterrupted() {
-  printToStandardError("planetree: interrupted, and no picture was written\n");
-  return kFailed;
+/// How deep a tree is shows only when it is built.
+void checkCellDepth(const RenderCommand& command, const Subject& subject) {
+  const std::uint32_t depth = subject.statistics.depth;
+  if (command.cellDepth && *command.cellDepth > depth) {
+    throw UsageError(fmt::format("--show-cells {}: this tree has {}", *command.cellDepth,
+                                 counted(depth, "level")),
+                     depth == 1 ? "Give 1." : fmt::format("Give a number from 1 to {}.", depth));
+  }
+}
+
+/// The bytes of a picture's file, and how large the picture is with its legend.
+struct PictureFile {
+  std::vector<std::byte> bytes;
+  render::ImageSize size;
+};
+
+PictureFile encodePicture(const FinishedPicture& picture) {
+  const render::Rendering& rendering = picture.rendering;
+  const render::Metadata metadata = pictureMetadata(picture);
+  if (chosenFormat(picture.command) == PictureFormat::Exr)
+    return {encodeExr(channelImage(rendering), metadata), picture.command.size};
+  render::Image image = shownImage(rendering);
+  if (picture.command.mode == render::RenderMode::Heat && picture.command.hasLegend)
+    image = withHeatLegend(image, *rendering.range);
+  return {encodePng(image, metadata), image.size};
+}
+
+Json pointJson(const Vec3f& point) {
+  return Json::array({point.x, point.y, point.z});
+}
+
+Json rangeJson(const std::optional<render::ValueRange>& range) {
+  if (!range)
+    return nullptr;
+  return {{"darkest", range->darkest},
+          {"brightest", range->brightest},
+          {"min", range->lowest},
+          {"mean", range->mean},
+          {"max", range->highest}};
+}
+
+Json summaryJson(const FinishedPicture& picture, const PictureFile& file) {
+  const RenderCommand& command = picture.command;
+  const Subject& subject = picture.subject;
+  return {
+      {"model", command.model ? Json(command.model->string()) : Json(nullptr)},
+      {"picture", outputPath(command).string()},
+      {"format", formatName(chosenFormat(command))},
+      {"width", file.size.width},
+      {"height", file.size.height},
+      {"byte_count", file.bytes.size()},
+      {"command", reproducingCommand(picture)},
+      {"mode", modeName(command.mode)},
+      {"samples", command.samplesPerPixel},
+      {"seed", command.seed},
+      {"cell_depth", command.cellDepth ? Json(*command.cellDepth) : Json(nullptr)},
+      {"camera",
+       {{"eye", pointJson(picture.camera.eye)},
+        {"at", pointJson(picture.camera.at)},
+        {"up", pointJson(picture.camera.up)},
+        {"fov", picture.camera.fovDegrees}}},
+      {"mesh", subject.mesh},
+      {"build", buildJson(subject.options, subject.report)},
+      {"tree", treeJson(subject.statistics)},
+      {"range", rangeJson(picture.rendering.range)},
+      {"ray_count", picture.rendering.rayCount},
+      {"render_seconds", picture.rendering.seconds},
+  };
+}
+
+/// Standard output carries the picture or the summary, never both.
+bool isJsonOnStandardError(const RenderCommand& command) {
+  return command.run.isJson && command.output == kStandardOutput;
+}
+
+render::RenderSettings renderSettings(const RenderCommand& command, const Subject& subject,
+                                      const render::Camera& camera) {
+  return {.size = command.size,
+          .camera = camera,
+          .mode = command.mode,
+          .samplesPerPixel = command.samplesPerPixel,
+          .seed = command.seed,
+          .threadCount = command.run.threadCount,
+          .albedos = subject.albedos,
+          .heatMax = command.heatMax,
+          .cellDepth = command.cellDepth};
+}
+
+render::Rendering renderWithProgress(const render::Tracer& tracer, render::RenderSettings settings,
+                                     const Talk& talk) {
+  ProgressLine progress("rendering", !talk.isQuiet());
+  settings.keepsGoing = [&progress](double done) {
+    progress.update(done);
+    return true;
+  };
+  // It goes on to the end, so there is a picture.
+  return *renderImage(tracer, settings);
 }
 
 int renderSubject(const RenderCommand& command, const Subject& subject, const Talk& talk) {
-  const Interruption interruption;
-  const auto isWanted = [&] { return !interruption.isRequested(); };
-
-  render::RenderSettings settings{.size = command.size,
-                                  .camera = chosenCamera(command, subject.camera),
-                                  .mode = command.mode,
-                                  .samplesPerPixel = command.samplesPerPixel,
-                                  .seed = command.seed,
-                                  .threadCount = command.run.threadCount,
-                                  .albedos = subject.albedos};
-  talk.say(fmt::format("view: --camera {}{}", cameraText(settings.camera),
+  const render::Camera camera = chosenCamera(command, subject.camera);
+  talk.say(fmt::format("view: --camera {}{}", cameraText(camera),
                        command.up == render::UpAxis::Z ? " --up z" : ""));
 
-  std::optional<render::Rendering> rendering;
-  {
-    ProgressLine progress("rendering", !talk.isQuiet());
-    settings.keepsGoing = [&](double done) {
-      progress.update(done);
-      return isWanted();
-    };
-    rendering = renderImage(*subject.tracer, settings);
-  }
-  if (!rendering)
-    return sayInterrupted();
-  sayRendering(talk, command.mode, *rendering);
+  const render::Rendering rendering =
+      renderWithProgress(*subject.tracer, renderSettings(command, subject, camera), talk);
+  sayRendering(talk, command.mode, rendering);
 
-  const std::vector<std::byte> png = encodePng(shownImage(*rendering));
+  const FinishedPicture picture{command, subject, camera, rendering};
+  const PictureFile file = encodePicture(picture);
   const fs::path path = outputPath(command);
-  if (!writeFile(path, png, isWanted))
-    return sayInterrupted();
+  writeFile(path, file.bytes);
   talk.say(fmt::format("wrote {} ({} x {}, {})",
-                       path == kStandardOutput ? "standard output" : path.string(),
-                       command.size.width, command.size.height, byteText(png.size())));
+                       path == kStandardOutput ? "standard output" : path.string(), file.size.width,
+                       file.size.height, byteText(file.bytes.size())));
+  if (command.run.isJson)
+    printJson(summaryJson(picture, file), isJsonOnStandardError(command));
   return kDone;
-}
-
-// Descriptions are broken by hand: the help is not wrapped otherwise.
-
-void addPictureOptions(CLI::App& app, RenderCommand& command) {
-  addValue(app, "MODEL", command.model, parsePath,
-           "Model to render: PLY, STL or OBJ, told apart by content;\n"
-           "without one, a still life made in code")
-      ->type_name("");
-  addValue(app, "-o,--output", command.output, parsePath,
-           "PNG file to write, replacing an older one; - is standard\n"
-           "output. Otherwise named after the model, in this folder,\n"
-           "or render.png")
-      ->type_name("FILE");
-  addValue(app, "--size", command.size, parseSize, "Width and height in pixels")
-      ->type_name("WxH")
-      ->default_str(fmt::format("{}x{}", command.size.width, command.size.height));
-  addValue(app, "--mode", command.mode, parseMode,
-           "What to show: ao (ambient occlusion), normals, depth (near\n"
-           "is bright), or heat (work of each ray)")
-      ->type_name("ao|normals|depth|heat")
-      ->default_str("ao");
-  addWholeNumber(app, "--samples", command.samplesPerPixel, 1, kMaxSamplesPerPixel,
-                 "Rays per pixel; in mode ao each that sees a surface sends\n"
-                 "four more. Powers of two are spread best")
-      ->default_str(fmt::format("{}", command.samplesPerPixel));
-  const auto parseSeed = [](const OptionText& option) {
-    return parseWholeNumber(option, 0, std::numeric_limits<std::uint64_t>::max());
-  };
-  addValue(app, "--seed", command.seed, parseSeed, "Another pattern of samples")
-      ->type_name("N")
-      ->default_str(fmt::format("{}", command.seed));
-}
-
-void addViewOptions(CLI::App& app, RenderCommand& command) {
-  const std::string view = "View";
-  addValue(app, "--camera", command.camera, parseCamera,
-           "The eye, the point in the middle of the picture, and the\n"
-           "field of view: six or seven numbers. Otherwise a view of\n"
-           "the whole model, from its right and above")
-      ->type_name("ex,ey,ez,ax,ay,az[,fov]")
-      ->group(view);
-  addValue(app, "--fov", command.fovDegrees, parseFov,
-           "Field of view from the lower to the upper edge, in degrees")
-      ->type_name("DEGREES")
-      ->default_str(fmt::format("{}", render::Framing{}.fovDegrees))
-      ->group(view);
-  addValue(app, "--up", command.up, parseUpAxis, "Which way is up in the model")
-      ->type_name("y|z")
-      ->default_str("y")
-      ->group(view);
 }
 
 }  // namespace
 
-CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
-  CLI::App& render = *app.add_subcommand("render", "Render a model, or a still life made in code");
-  render.footer(kExamples);
-  addPictureOptions(render, command);
-  addViewOptions(render, command);
-  addTreeOptions(render, command.tree);
-  addRunOptions(render, command.run);
-  return &render;
-}
-
 int runRenderCommand(const RenderCommand& command) {
   checkOptionsAgree(command);
   checkIsWritable(outputPath(command));
-  const Talk talk(command.run.isQuiet);
+  // Talk beside the summary would keep programs from reading it.
+  const Talk talk(command.run.isQuiet || isJsonOnStandardError(command));
   const BuildOptions build = buildOptions(command.tree, command.run);
   const Subject subject = command.model
                               ? readModelSubject(*command.model, build, framing(command), talk)
                               : makeStillLifeSubject(build, framing(command), talk);
+  checkCellDepth(command, subject);
   return renderSubject(command, subject, talk);
 }
 

@@ -16,10 +16,14 @@ namespace planetree::tool {
 struct RenderCommand {
   std::optional<std::filesystem::path> model;
   std::optional<std::filesystem::path> output;
+  std::optional<PictureFormat> format;
   render::ImageSize size{800, 600};
   render::RenderMode mode = render::RenderMode::AmbientOcclusion;
   std::uint32_t samplesPerPixel = 8;
   std::uint64_t seed = 0;
+  std::optional<std::uint32_t> heatMax;  ///< the steps of the brightest colour
+  bool hasLegend = true;                 ///< of heat
+  std::optional<std::uint32_t> cellDepth;
   std::optional<CameraOption> camera;
   std::optional<float> fovDegrees;
   render::UpAxis up = render::UpAxis::Y;

@@ -10,27 +10,44 @@
 
 namespace planetree::tool {
 
+namespace {
+
+template <Object O>
+void takeTree(Subject& subject, KdTree<O> tree) {
+  subject.options = tree.options();
+  subject.report = tree.report();
+  subject.statistics = tree.statistics();
+  subject.tracer = std::make_unique<render::TreeTracer<O>>(std::move(tree));
+}
+
+}  // namespace
+
 Subject readModelSubject(const std::filesystem::path& path, const BuildOptions& options,
                          const render::Framing& framing, const Talk& talk) {
   Model<float> model = readModel<float>(path, talk);
+  Subject subject;
+  subject.name = path.filename().string();
   // Before the tree: a mesh that cannot be shown has no camera either, and building says why.
-  const auto camera = frameCamera(render::visiblePoints(model.mesh.view()), framing);
-  auto tree = buildModelTree(std::move(model), options, talk);
-  return {.tracer = std::make_unique<render::TreeTracer<Face<float>>>(std::move(tree)),
-          .camera = camera.value_or(render::Camera{}),
-          .albedos = {}};
+  subject.camera =
+      frameCamera(render::visiblePoints(model.mesh.view()), framing).value_or(render::Camera{});
+  subject.mesh =
+      meshJson({.faceCount = model.mesh.faces.size(), .vertexCount = model.mesh.positions.size()},
+               model.report);
+  takeTree(subject, buildModelTree(std::move(model), options, talk));
+  return subject;
 }
 
 Subject makeStillLifeSubject(const BuildOptions& options, const render::Framing& framing,
                              const Talk& talk) {
-  const render::StillLife stillLife = render::makeStillLife();
-  const auto camera = frameCamera(stillLife.outline, framing);
-  auto tree = buildTree(stillLife.scene, options);
+  render::StillLife stillLife = render::makeStillLife();
   talk.say("no model given: a still life of spheres, boxes, cones, cylinders, squares and a knot");
-  sayTree(talk, tree.report(), tree.statistics(), "object");
-  return {.tracer = std::make_unique<render::TreeTracer<AnyObject<float>>>(std::move(tree)),
-          .camera = camera.value_or(render::Camera{}),
-          .albedos = stillLife.albedos};
+  Subject subject;
+  subject.name = "still life";
+  subject.camera = frameCamera(stillLife.outline, framing).value_or(render::Camera{});
+  subject.albedos = std::move(stillLife.albedos);
+  takeTree(subject, buildTree(stillLife.scene, options));
+  sayTree(talk, subject.report, subject.statistics, "object");
+  return subject;
 }
 
 }  // namespace planetree::tool

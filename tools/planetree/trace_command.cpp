@@ -1,7 +1,6 @@
 #include "trace_command.hpp"
 
 #include "exit_status.hpp"
-#include "interruption.hpp"
 #include "json_text.hpp"
 #include "model.hpp"
 #include "progress_line.hpp"
@@ -172,13 +171,6 @@ bool isJsonOnStandardError(const TraceCommand& command) {
   return command.run.isJson && command.hits == kStandardOutput;
 }
 
-int sayInterrupted(const TraceCommand& command) {
-  printToStandardError(command.hits == kStandardOutput
-                           ? "planetree: interrupted, and not all hits were written\n"
-                           : "planetree: interrupted, and no hits were written\n");
-  return kFailed;
-}
-
 /// The ids of a table are 32-bit numbers with a sign.
 void checkIdsFit(std::uint64_t triangleCount, const std::string& model) {
   if (triangleCount > std::numeric_limits<std::int32_t>::max()) {
@@ -198,9 +190,7 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
   Json mesh = meshJson(size, model.report);
   const BuildOptions build = buildOptions(command.tree, command.run);
   const auto tree = buildModelTree(std::move(model), build, talk);
-  const Interruption interruption;
-  const auto isWanted = [&] { return !interruption.isRequested(); };
-  OutputFile hits(command.hits, isWanted);
+  OutputFile hits(command.hits);
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -213,11 +203,9 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
                         .limits = command.limits,
                         .format = format,
                         .threadCount = command.run.threadCount,
-                        .keepsGoing = isWanted,
                         .reportProgress = [&](double done) { progress.update(done); }});
   }
-  if (report.isInterrupted || !hits.complete())
-    return sayInterrupted(command);
+  hits.complete();
 
   const Summary summary{
       .command = command,
@@ -236,7 +224,7 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
 
 void addTableOptions(CLI::App& app, TraceCommand& command) {
   addValue(app, "MODEL", command.model, parsePath,
-           "Model to trace: PLY, STL or OBJ, told apart by content")
+           "Model to trace: PLY, STL, OBJ, OFF, glTF, COLLADA, FBX, 3DS or one of many others")
       ->required()
       ->type_name("");
   addValue(app, "RAYS", command.rays, parsePath,
@@ -253,11 +241,6 @@ void addTableOptions(CLI::App& app, TraceCommand& command) {
            "Format of the hits; otherwise as the name of the file "
            "says, or that of the rays")
       ->type_name("csv|npy");
-  app.add_flag("--any", command.isAnyHit,
-               "Find only whether each ray hits anything, which is faster");
-  app.add_flag("--double", command.isDouble,
-               "Read the model and trace in double, as float64 rays do "
-               "by themselves");
 }
 
 }  // namespace
@@ -266,6 +249,7 @@ CLI::App* addTraceCommand(CLI::App& app, TraceCommand& command) {
   CLI::App& trace = *app.add_subcommand("trace", "Find what the rays of a file hit");
   trace.footer(kFooter);
   addTableOptions(trace, command);
+  addQueryFlags(trace, command.isAnyHit, command.isDouble);
   addQueryOptions(trace, command.query);
   addRayLimits(trace, command.limits);
   addTreeOptions(trace, command.tree);

@@ -113,10 +113,7 @@ class Tracing {
     tbb::parallel_pipeline(mostBlocks, reading & tracing & writing);
     if (fault_)
       std::rethrow_exception(fault_);
-    if (!settings_.keepsGoing())
-      report_.isInterrupted = true;
-    if (!report_.isInterrupted)
-      endTable();
+    endTable();
     return report_;
   }
 
@@ -140,12 +137,12 @@ class Tracing {
 
   // No stage throws: oneTBB would forget the blocks on their way without freeing them.
 
-  /// The next block; nothing at the end, or when no more are wanted.
+  /// The next block; nothing at the end, or after a fault.
   ParcelPointer read() {
     if (isAtEnd_ || isStopped_)
       return nullptr;
     // Rays that are slow to come must not keep a fault from being told.
-    const auto keepsGoing = [this] { return !isStopped_ && settings_.keepsGoing(); };
+    const auto keepsGoing = [this] { return !isStopped_; };
     auto parcel = std::make_shared<Parcel>();
     try {
       isAtEnd_ = !rays_.next(parcel->rays, keepsGoing);
@@ -190,15 +187,15 @@ class Tracing {
       append(parcel.rows);
     } catch (...) {
       fault_ = std::current_exception();
+      isStopped_ = true;
     }
-    isStopped_ = fault_ || report_.isInterrupted;
     report_.rayCount += parcel.report.rayCount;
     report_.hitCount += parcel.report.hitCount;
     report_.invalidRayCount += parcel.report.invalidRayCount;
   }
 
   void append(const std::string& bytes) {
-    report_.isInterrupted = !hits_.write(std::as_bytes(std::span(bytes)));
+    hits_.write(std::as_bytes(std::span(bytes)));
     report_.byteCount += bytes.size();
   }
 
@@ -210,7 +207,7 @@ class Tracing {
   bool isAtEnd_ = false;
   bool isCountMissing_ = false;
   std::exception_ptr fault_;  ///< the first one
-  /// Nothing more is to be written: after a fault, or an interruption.
+  /// There was a fault, and nothing more is to be written.
   std::atomic<bool> isStopped_ = false;
 };
 

@@ -25,7 +25,6 @@ struct TraceSettings {
   RayLimits limits;  ///< of rays that bring none
   TableFormat format = TableFormat::Csv;
   std::uint32_t threadCount = 0;  ///< 0 is as many as the machine has
-  KeepsGoing keepsGoing;
   /// Told now and then which part of the rays was read, where that is known.
   std::function<void(double)> reportProgress;
 };
@@ -36,7 +35,6 @@ struct TraceReport {
   /// Rays that can hit nothing, because a number is not finite or the direction is zero.
   std::uint64_t invalidRayCount = 0;
   std::uint64_t byteCount = 0;  ///< of the table of hits
-  bool isInterrupted = false;   ///< `keepsGoing` said no, and hits are missing
 };
 
 /// Traces all rays and writes the table of their hits, in their order. Blocks of rays are decoded,

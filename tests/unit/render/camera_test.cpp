@@ -46,6 +46,19 @@ TEST(PinholeCamera, RaysHaveUnitDirectionsAndNoEnd) {
   }
 }
 
+TEST(PinholeCamera, ViewCoordinatesUndoItsRays) {
+  const PinholeCamera pinhole({.eye = {5.0f, -3.0f, 1.0f}, .fovDegrees = 70.0f}, 1.7);
+  for (const double x : {0.0, 0.3, 1.0}) {
+    for (const double y : {0.0, 0.5, 0.8}) {
+      const Rayf ray = pinhole.ray(x, y);
+      const Vec3d view = pinhole.viewCoordinates(Vec3d(ray.at(12.0f)));
+      EXPECT_NEAR(0.5 + 0.5 * view.x / view.z, x, kFloatRounding);
+      EXPECT_NEAR(0.5 - 0.5 * view.y / view.z, y, kFloatRounding);
+      EXPECT_NEAR(view.z, 12.0 * dot(Vec3d(ray.direction), pinhole.axes().forward), 1e-5);
+    }
+  }
+}
+
 TEST(CameraAxes, AreUnitVectorsAtRightAnglesEvenAlongUp) {
   for (const Vec3d& forward :
        {Vec3d{1.0, 2.0, 3.0}, Vec3d{0.0, -1.0, 0.0}, Vec3d{0.0, 7.0, 0.0}, Vec3d{1e-9, 1.0, 0.0},

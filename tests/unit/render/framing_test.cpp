@@ -137,5 +137,26 @@ TEST(VisiblePoints, AreThoseOfUsableFacesEachOnce) {
   EXPECT_EQ(visiblePoints(mesh.view()), expected);
 }
 
+TEST(FrameCamera, ShowsTheCornersOfTheBoxIfAskedTo) {
+  // Points along the diagonal of a box: its other corners are where nothing else is.
+  std::vector<Vec3f> points;
+  for (int i = 0; i <= 100; ++i) {
+    const auto place = static_cast<float>(i) / 100.0f;
+    points.push_back({place, place, place});
+  }
+  Framing framing;
+  framing.showsBox = true;
+  const auto camera = frameCamera(points, framing);
+  ASSERT_TRUE(camera);
+  const PinholeCamera pinhole(*camera, framing.aspect);
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3d view = pinhole.viewCoordinates(
+        {corner & 1u ? 1.0 : 0.0, corner & 2u ? 1.0 : 0.0, corner & 4u ? 1.0 : 0.0});
+    EXPECT_GT(view.z, 0.0);
+    EXPECT_LT(std::fabs(view.x), view.z);
+    EXPECT_LT(std::fabs(view.y), view.z);
+  }
+}
+
 }  // namespace
 }  // namespace planetree::render

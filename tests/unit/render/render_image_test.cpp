@@ -11,6 +11,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <string>
 #include <utility>
 
 namespace planetree::render {
@@ -94,6 +95,53 @@ TEST(RenderImage, ATreeWithoutObjectsGivesABackdrop) {
     settings.mode = mode;
     EXPECT_TRUE(renderImage(tracer, settings));
   }
+}
+
+const Channel& channelNamed(const ChannelImage& image, const std::string& name) {
+  const auto found = std::find_if(image.channels.begin(), image.channels.end(),
+                                  [&](const Channel& channel) { return channel.name == name; });
+  EXPECT_NE(found, image.channels.end()) << name;
+  return *found;
+}
+
+TEST(ChannelImage, HasTheVeryNumbersOfTheFilm) {
+  const auto tracer = sphereTracer();
+  RenderSettings settings = sphereSettings();
+  settings.mode = RenderMode::Heat;
+  const Rendering rendering = *renderImage(tracer, settings);
+  const ChannelImage image = channelImage(rendering);
+  EXPECT_EQ(image.size, settings.size);
+  const std::vector<float>& objects = channelNamed(image, "steps.objects").values;
+  ASSERT_EQ(objects.size(), rendering.film.samples().size());
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    EXPECT_EQ(objects[i], rendering.film.samples()[i].value.z);
+}
+
+TEST(ChannelImage, IsThePictureWithoutItsBackdrop) {
+  const auto tracer = sphereTracer();
+  const Rendering rendering = *renderImage(tracer, sphereSettings());
+  const ChannelImage image = channelImage(rendering);
+  const std::size_t corner = 0;
+  for (const char* name : {"R", "G", "B", "A"})
+    EXPECT_EQ(channelNamed(image, name).values[corner], 0.0f) << name;
+  const std::size_t middle = 15 * 40 + 20;
+  EXPECT_EQ(channelNamed(image, "A").values[middle], 1.0f);
+  EXPECT_EQ(quantized(srgbEncoded({channelNamed(image, "R").values[middle],
+                                   channelNamed(image, "G").values[middle],
+                                   channelNamed(image, "B").values[middle]})),
+            shownImage(rendering).at(20, 15));
+}
+
+TEST(RenderImage, CellsChangeThePictureButNotTheFilm) {
+  const auto tracer = sphereTracer();
+  RenderSettings settings = sphereSettings();
+  const Rendering plain = *renderImage(tracer, settings);
+  settings.cellDepth = 1;
+  const Rendering withCells = *renderImage(tracer, settings);
+  EXPECT_NE(shownImage(plain).pixels, shownImage(withCells).pixels);
+  for (std::size_t i = 0; i < plain.film.samples().size(); ++i)
+    EXPECT_EQ(plain.film.samples()[i].value, withCells.film.samples()[i].value);
+  EXPECT_EQ(withCells.rayCount, plain.rayCount + 4 * settings.size.pixelCount());
 }
 
 TEST(StillLife, HasAColourForEveryGeometryAndLosesNoObject) {

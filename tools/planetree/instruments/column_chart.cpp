@@ -1,4 +1,4 @@
-#include "column_chart.hpp"
+#include "instruments/column_chart.hpp"
 
 #include "talk.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "svg_text.hpp"
+#include "instruments/svg_text.hpp"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "leaf_size_bins.hpp"
+#include "instruments/leaf_size_bins.hpp"
 
 #include "talk.hpp"
 

@@ -1,4 +1,4 @@
-#include "svg_text.hpp"
+#include "instruments/svg_text.hpp"
 
 #include <nlohmann/json.hpp>
 

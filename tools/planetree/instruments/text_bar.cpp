@@ -1,4 +1,4 @@
-#include "text_bar.hpp"
+#include "instruments/text_bar.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,11 @@ namespace planetree::tool {
 namespace {
 
 constexpr std::array kEighths = {"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
+
+// Every character begins with a byte that is not of the form 10xxxxxx.
+bool beginsCharacter(char c) noexcept {
+  return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
+}
 
 std::string blanks(std::string_view text, std::size_t width) {
   const std::size_t taken = columnCount(text);
@@ -30,10 +35,19 @@ std::string textBar(double value, double highest, std::size_t width) {
 }
 
 std::size_t columnCount(std::string_view text) noexcept {
-  // Every character begins with a byte that is not of the form 10xxxxxx.
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
-  }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), beginsCharacter));
+}
+
+std::string shortened(std::string_view text, std::size_t width) {
+  std::string kept(text);
+  if (columnCount(text) <= width)
+    return kept;
+  while (columnCount(kept) >= width) {
+    while (!beginsCharacter(kept.back()))
+      kept.pop_back();
+    kept.pop_back();
+  }
+  return kept + "…";
 }
 
 std::string padded(std::string text, std::size_t width) {

@@ -13,6 +13,9 @@ namespace planetree::tool {
 /// The columns that UTF-8 text takes, for text without wide and combining characters.
 [[nodiscard]] std::size_t columnCount(std::string_view text) noexcept;
 
+/// The text in at most that many columns; if it is longer, its end is replaced by an ellipsis.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t width);
+
 /// The text in that many columns, with blanks behind it or before it.
 [[nodiscard]] std::string padded(std::string text, std::size_t width);
 [[nodiscard]] std::string paddedLeft(const std::string& text, std::size_t width);

@@ -20,6 +20,9 @@ struct TreeAccount {
   std::uint64_t skippedPolygonCount = 0;          ///< not read
   std::vector<std::string> skippedPolygons = {};  ///< the first few, with reasons
   std::vector<std::string> skippedTriangles = {};  ///< read, but not in the tree; likewise
+  std::uint64_t unreadPrimitiveCount = 0;          ///< points, lines and curves of the file
+  std::uint64_t tooLargeCount = 0;                 ///< coordinates that became infinite
+  std::vector<std::string> remarks = {};           ///< of the reader, the first few
   double readSeconds = 0.0;
   Box3 bounds = {};
   BuildReport build = {};

@@ -1,8 +1,8 @@
-#include "tree_page.hpp"
+#include "instruments/tree_page.hpp"
 
-#include "leaf_size_bins.hpp"
+#include "instruments/leaf_size_bins.hpp"
+#include "instruments/text_bar.hpp"
 #include "talk.hpp"
-#include "text_bar.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +15,7 @@ namespace planetree::tool {
 namespace {
 
 constexpr std::size_t kBarWidth = 24;
+constexpr std::size_t kShownSkips = 5;
 
 class Page {
  public:
@@ -49,10 +50,11 @@ void addSkipped(Page& page, std::string_view name, std::uint64_t count, std::str
   if (count == 0)
     return;
   page.row(name, grouped(count), outOf);
-  for (const std::string& each : first)
-    page.row("", "", each);
-  if (count > first.size())
-    page.row("", "", "...");
+  const std::size_t shownCount = std::min(first.size(), kShownSkips);
+  for (std::size_t i = 0; i < shownCount; ++i)
+    page.line("    " + first[i]);
+  if (count > shownCount)
+    page.line(fmt::format("    ... and {} more", grouped(count - shownCount)));
 }
 
 void addModel(Page& page, const TreeAccount& account) {
@@ -63,10 +65,18 @@ void addModel(Page& page, const TreeAccount& account) {
              account.skippedPolygons);
   addSkipped(page, "skipped", account.build.skippedCount, "not in the tree: no ray can hit them",
              account.skippedTriangles);
+  if (account.unreadPrimitiveCount > 0) {
+    page.row("not read", grouped(account.unreadPrimitiveCount),
+             "points, lines and curves, which cannot be hit");
+  }
   page.row("vertices", grouped(account.vertexCount));
+  if (account.tooLargeCount > 0)
+    page.row("too large", grouped(account.tooLargeCount), "coordinates, infinite as float");
   page.line("  bounds    " + pointText(account.bounds.lower) + " to " +
             pointText(account.bounds.upper));
   page.line("  size      " + pointText(account.bounds.size()));
+  for (const std::string& remark : account.remarks)
+    page.line("  remark    " + remark);
 }
 
 void addTree(Page& page, const TreeAccount& account) {
@@ -95,7 +105,7 @@ void addTree(Page& page, const TreeAccount& account) {
 }
 
 void addTimes(Page& page, const TreeAccount& account) {
-  const auto seconds = [](double time) { return fmt::format("{:.3f} s", time); };
+  const auto seconds = [](double time) { return fmt::format("{:.4f} s", time); };
   page.heading("Time");
   page.row("read", seconds(account.readSeconds));
   for (const BuildPhase& phase : account.build.phases)

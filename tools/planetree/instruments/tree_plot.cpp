@@ -1,8 +1,9 @@
-#include "tree_plot.hpp"
+#include "instruments/tree_plot.hpp"
 
-#include "column_chart.hpp"
-#include "leaf_size_bins.hpp"
-#include "svg_text.hpp"
+#include "instruments/column_chart.hpp"
+#include "instruments/leaf_size_bins.hpp"
+#include "instruments/svg_text.hpp"
+#include "instruments/text_bar.hpp"
 #include "talk.hpp"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ constexpr PlotArea kCostArea = {.left = 106.0, .top = 408.0, .width = 480.0, .he
 constexpr PlotArea kSizesArea = {.left = 700.0, .top = 138.0, .width = 270.0, .height = 436.0};
 constexpr double kSlantedLabelHeight = 36.0;
 constexpr std::size_t kMostLabels = 16;
+constexpr std::size_t kLongestName = 60;
 
 // Okabe and Ito, "Color universal design", 2008: told apart by everybody.
 constexpr const char* kStyle = R"(<style>
@@ -171,7 +173,8 @@ std::string treePlot(const TreeAccount& account) {
   svg.line(R"(<desc id="description">{}</desc>)", xmlText(description(account)));
   svg.line("{}", kStyle);
   svg.line(R"(<rect class="paper" width="{:.0f}" height="{:.0f}"/>)", kWidth, kHeight);
-  svg.line(R"(<text class="ink name" x="34" y="44">The kd-tree of {}</text>)", xmlText(name));
+  svg.line(R"(<text class="ink name" x="34" y="44">The kd-tree of {}</text>)",
+           xmlText(shortened(name, kLongestName)));
   svg.line(R"(<text class="soft" x="34" y="68">{}</text>)", xmlText(summary(account)));
   addChart(svg, leavesByLevel(account.tree), kLeavesArea);
   addChart(svg, costByLevel(account.tree), kCostArea);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tree_account.hpp"
+#include "instruments/tree_account.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
-#include "walk_json.hpp"
+#include "instruments/walk_json.hpp"
 
-#include "exact_json.hpp"
+#include "instruments/exact_json.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "json_text.hpp"
 
-#include "walk_page.hpp"
+#include "instruments/walk_page.hpp"
 
 #include <planetree/traversal/walk.hpp>
 

@@ -1,7 +1,7 @@
-#include "walk_page.hpp"
+#include "instruments/walk_page.hpp"
 
+#include "instruments/text_bar.hpp"
 #include "talk.hpp"
-#include "text_bar.hpp"
 
 #include <fmt/format.h>
 
@@ -37,10 +37,6 @@ std::string shortText(const Interval<T>& part) {
 template <class T>
 std::string exactText(const Vec3<T>& vector) {
   return fmt::format("({}, {}, {})", vector.x, vector.y, vector.z);
-}
-
-std::string exactText(const Box3& box) {
-  return exactText(box.lower) + " to " + exactText(box.upper);
 }
 
 /// One line of the table, of pieces that are broken onto further lines where they do not fit.
@@ -93,9 +89,11 @@ class WalkWriter {
 
   void addRay() {
     const Ray<T>& ray = walk_.ray;
-    line(fmt::format("ray     from {} along {},", exactText(ray.origin), exactText(ray.direction)));
+    line("ray     from " + exactText(ray.origin));
+    line("        along " + exactText(ray.direction));
     line(fmt::format("        t from {} to {}", ray.tMin, ray.tMax));
-    line("bounds  " + exactText(context_.bounds));
+    line("bounds  from " + exactText(context_.bounds.lower));
+    line("        to " + exactText(context_.bounds.upper));
     line("");
   }
 

@@ -1,0 +1,212 @@
+#include "picture_metadata.hpp"
+
+#include "usage_error.hpp"
+
+#include <planetree/node/node_layout.hpp>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <optional>
+#include <string>
+
+namespace planetree::tool {
+
+namespace {
+
+std::string pointText(const Vec3f& point) {
+  return fmt::format("{},{},{}", point.x, point.y, point.z);
+}
+
+/// The options that make a tree, in the words of the command line: all of them, or those that
+/// differ from the defaults.
+class TreeArguments {
+ public:
+  explicit TreeArguments(bool namesDefaults) : namesDefaults_(namesDefaults) {}
+
+  [[nodiscard]] std::string of(const BuildOptions& options) {
+    const BuildOptions usual;
+    text_.clear();
+    add("--leaf-size", options.leafSize, usual.leafSize);
+    if (options.depthLimit)
+      add("--depth-limit", *options.depthLimit, kMaxTreeDepth + 1);
+    addSwitch("--stops-by-cost", options.stopsByCost, usual.stopsByCost);
+    add("--traversal-cost", options.cost.traversalCost, usual.cost.traversalCost);
+    add("--intersection-cost", options.cost.intersectionCost, usual.cost.intersectionCost);
+    add("--empty-bonus", options.cost.emptyBonus, usual.cost.emptyBonus);
+    addSwitch("--allows-empty-cells", options.allowsEmptyCells, usual.allowsEmptyCells);
+    addSwitch("--clips-references", options.clipsReferences, usual.clipsReferences);
+    add("--planar-rule", planarRuleName(options.planarRule), planarRuleName(usual.planarRule));
+    add("--references-per-object", options.referencesPerObject, usual.referencesPerObject);
+    return text_;
+  }
+
+ private:
+  template <class Value>
+  void add(std::string_view name, const Value& value, const Value& usual) {
+    if (namesDefaults_ || value != usual)
+      text_ += fmt::format("{}{} {}", text_.empty() ? "" : " ", name, value);
+  }
+  void addSwitch(std::string_view name, bool isOn, bool isUsuallyOn) {
+    add(name, switchName(isOn), switchName(isUsuallyOn));
+  }
+
+  bool namesDefaults_;
+  std::string text_;
+};
+
+/// How many bytes the UTF-8 character at the start of the text takes; 0 if there is none. RFC 3629:
+/// no longer forms than needed, no surrogates, nothing beyond U+10FFFF.
+std::size_t utf8Length(std::string_view text) noexcept {
+  const auto byte = [text](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80)
+    return text.empty() ? 0 : 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4)
+    return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0u) != 0x80u)
+      return 0;
+  }
+  const unsigned second = byte(1);
+  const bool isOverlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool isBeyond = (first == 0xED && second > 0x9F) || (first == 0xF4 && second > 0x8F);
+  return isOverlong || isBeyond ? 0 : length;
+}
+
+bool isControl(char c) noexcept {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x20 || byte == 0x7F;
+}
+
+/// As $'...' of bash and other shells, which can write every byte.
+std::string escapedWord(std::string_view text) {
+  std::string word = "$'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\')
+      word += fmt::format("\\{}", c);
+    else if (isControl(c) || static_cast<unsigned char>(c) >= 0x80)
+      word += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else
+      word += c;
+  }
+  return word + "'";
+}
+
+std::string modelWord(const std::filesystem::path& model) {
+  // A name that begins with a dash would be read as an option.
+  const std::string name = model.string();
+  return shellWord(name.starts_with('-') ? "./" + name : name);
+}
+
+std::string treeText(const TreeStatistics& statistics) {
+  return fmt::format(
+      "{} split nodes, {} leaves ({} empty), depth {}, {} references, largest leaf {}, SAH cost "
+      "{:.6g}, {} bytes",
+      statistics.splitNodeCount, statistics.leafNodeCount, statistics.emptyLeafCount,
+      statistics.depth, statistics.referenceCount, statistics.largestLeaf, statistics.sahCost,
+      statistics.bytes);
+}
+
+std::string rangeText(render::RenderMode mode, const render::ValueRange& range) {
+  const char* const form =
+      mode == render::RenderMode::Heat
+          ? "black is {:.6g}, pale yellow {:.6g} split nodes visited and objects tested per ray; "
+            "pixels: min {:.6g}, mean {:.6g}, max {:.6g}"
+          : "the darkest grey is {:.6g}, white {:.6g} from the eye; pixels: min {:.6g}, mean "
+            "{:.6g}, max {:.6g}";
+  return fmt::format(fmt::runtime(form), range.darkest, range.brightest, range.lowest, range.mean,
+                     range.highest);
+}
+
+/// The time that the environment gives, if it gives one.
+std::optional<std::string> creationTime() {
+  const char* const text = std::getenv("SOURCE_DATE_EPOCH");
+  if (text == nullptr)
+    return std::nullopt;
+  constexpr std::uint64_t kEndOfYear9999 = 253'402'300'799;
+  const auto seconds = static_cast<std::time_t>(
+      parseWholeNumber({.name = "SOURCE_DATE_EPOCH", .text = text}, 0, kEndOfYear9999));
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(seconds));
+}
+
+}  // namespace
+
+bool isPlainText(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const std::size_t length = utf8Length(text);
+    if (length == 0 || isControl(text.front()))
+      return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string shellWord(std::string_view text) {
+  constexpr std::string_view kHarmless =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/@%";
+  if (!text.empty() && text.find_first_not_of(kHarmless) == std::string_view::npos)
+    return std::string(text);
+  if (!isPlainText(text))
+    return escapedWord(text);
+  std::string word = "'";
+  for (const char c : text)
+    word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
+std::string reproducingCommand(const FinishedPicture& picture) {
+  const RenderCommand& command = picture.command;
+  std::string text = "planetree render";
+  if (command.model)
+    text += " " + modelWord(*command.model);
+  text += fmt::format(" --mode {} --size {}x{} --samples {} --seed {} --camera {}",
+                      modeName(command.mode), command.size.width, command.size.height,
+                      command.samplesPerPixel, command.seed, cameraText(picture.camera));
+  if (command.up == render::UpAxis::Z)
+    text += " --up z";
+  if (command.heatMax)
+    text += fmt::format(" --heat-max {}", *command.heatMax);
+  if (!command.hasLegend)
+    text += " --no-legend";
+  if (command.cellDepth)
+    text += fmt::format(" --show-cells {}", *command.cellDepth);
+  if (const std::string tree = TreeArguments(false).of(picture.subject.options); !tree.empty())
+    text += " " + tree;
+  return text;
+}
+
+render::Metadata pictureMetadata(const FinishedPicture& picture) {
+  const RenderCommand& command = picture.command;
+  const Subject& subject = picture.subject;
+  const render::Camera& camera = picture.camera;
+  render::Metadata metadata = {
+      {"Software", "planetree " PLANETREE_VERSION},
+      {"Command", reproducingCommand(picture)},
+      {"Model", isPlainText(subject.name) ? subject.name : shellWord(subject.name)},
+      {command.model ? "Triangles" : "Objects", fmt::format("{}", subject.report.objectCount)},
+      {"Skipped", fmt::format("{}", subject.report.skippedCount)},
+      {"Mode", std::string(modeName(command.mode))},
+      {"Samples", fmt::format("{}", command.samplesPerPixel)},
+      {"Seed", fmt::format("{}", command.seed)},
+      {"Camera", fmt::format("eye {}, at {}, up {}, fov {}", pointText(camera.eye),
+                             pointText(camera.at), pointText(camera.up), camera.fovDegrees)},
+      {"Tree Options", TreeArguments(true).of(subject.options)},
+      {"Tree", treeText(subject.statistics)},
+  };
+  if (picture.rendering.range)
+    metadata.push_back({"Range", rangeText(command.mode, *picture.rendering.range)});
+  if (const auto time = creationTime())
+    metadata.push_back({"Creation Time", *time});
+  return metadata;
+}
+
+}  // namespace planetree::tool
