@@ -148,8 +148,7 @@ class KdTree {
 
   /// The arrays of the tree, for the functions of the traversal headers.
   [[nodiscard]] TreeView<Scalar> view() const noexcept {
-    return {data_->nodes, data_->references, data_->geometries, data_->bounds,
-            data_->wide.get()};
+    return {data_->nodes, data_->references, data_->geometries, data_->bounds, data_->wide.get()};
   }
 
   // --- reports ---
@@ -161,7 +160,8 @@ class KdTree {
   /// The tree in numbers. Walks it: linear in the nodes.
   [[nodiscard]] TreeStatistics statistics() const {
     const CostModel& cost = data_->options.cost;
-    return treeStatistics(data_->nodes, data_->bounds, {cost.traversalCost, cost.intersectionCost});
+    return treeStatistics(data_->nodes, data_->bounds,
+                          {cost.traversalCost, detail::intersectionCostOf(*data_)});
   }
 
  private:

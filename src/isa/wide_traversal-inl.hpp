@@ -1,6 +1,6 @@
 // The loop over the wide form of a tree, compiled once for each instruction set; hence no include
-// guard but the one of Highway. What differs between sets is how many of the sixteen lanes of a node
-// or a block one vector holds.
+// guard but the one of Highway. What differs between sets is how many of the sixteen lanes of a
+// node or a block one vector holds.
 
 #if defined(PLANETREE_WIDE_TRAVERSAL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLANETREE_WIDE_TRAVERSAL_INL
@@ -13,8 +13,8 @@
 
 #include "traversal/wide_query.hpp"
 
-#include <cstddef>
 #include <hwy/highway.h>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -167,9 +167,7 @@ HWY_INLINE Floats pick(const Lanes& from, Words indices) {
                           hn::TableLookupLanes(from.vectors[0], lookup));
   } else {
     HWY_ALIGN float table[kLaneCount];
-    forEachVector([&](auto i) {
-      hn::Store(from.vectors[i], d, table + i * kLanesPerVector);
-    });
+    forEachVector([&](auto i) { hn::Store(from.vectors[i], d, table + i * kLanesPerVector); });
     HWY_ALIGN std::uint32_t lanes[kLanesPerVector];
     hn::Store(indices, words, lanes);
     HWY_ALIGN float picked[kLanesPerVector];
@@ -200,8 +198,7 @@ HWY_INLINE std::size_t pushUnordered(const WideNode& node, const BoxTest& test, 
   const WordTag words;
   if constexpr (kVectorCount <= 2) {
     forEachVector([&](auto i) {
-      const auto isMet =
-          hn::RebindMask(words, hn::Le(test.tNear.vectors[i], test.tFar.vectors[i]));
+      const auto isMet = hn::RebindMask(words, hn::Le(test.tNear.vectors[i], test.tFar.vectors[i]));
       const Words children = hn::Load(words, childWords(node) + i * kLanesPerVector);
       hn::StoreU(keep(words, children, isMet), words, stack.children + size);
       size += hn::CountTrue(words, isMet);
@@ -216,6 +213,10 @@ HWY_INLINE std::size_t pushUnordered(const WideNode& node, const BoxTest& test, 
   return size;
 }
 
+/// By how much the words of an order are shifted to unpack them.
+HWY_ALIGN constexpr std::uint32_t kSlotShifts[kLaneCount] = {0,  0,  4,  4,  8,  8,  12, 12,
+                                                             16, 16, 20, 20, 24, 24, 28, 28};
+
 /// Pushes the children whose boxes the ray meets so that the nearest comes to lie on top. The order
 /// is that of the cells, which is known beforehand: nothing is sorted, and nothing depends on how
 /// many there are, so that no branch can be mispredicted.
@@ -226,18 +227,16 @@ HWY_INLINE std::size_t pushNearestLast(const WideNode& node, std::uint32_t octan
   const SlotOrder& order = node.orders[octant];
   if constexpr (kVectorCount <= 2) {
     // Both words of the order side by side in each pair of lanes: see SlotOrder.
-    HWY_ALIGN static constexpr std::uint32_t kShifts[kLaneCount] = {0,  0,  4,  4,  8,  8,  12, 12,
-                                                                    16, 16, 20, 20, 24, 24, 28, 28};
     const hn::Repartition<std::uint64_t, WordTag> longWords;
     const Words packed = hn::BitCast(words, hn::Set(longWords, order.word()));
     Lanes children;
     forEachVector([&](auto i) {
-      children.vectors[i] = hn::BitCast(
-          d, hn::Load(words, childWords(node) + i * kLanesPerVector));
+      children.vectors[i] = hn::BitCast(d, hn::Load(words, childWords(node) + i * kLanesPerVector));
     });
     forEachVector([&](auto i) {
-      const Words slots = hn::And(hn::Shr(packed, hn::Load(words, kShifts + i * kLanesPerVector)),
-                                  hn::Set(words, kLaneCount - 1));
+      const Words slots =
+          hn::And(hn::Shr(packed, hn::Load(words, kSlotShifts + i * kLanesPerVector)),
+                  hn::Set(words, kLaneCount - 1));
       const Floats tNear = pick(test.tNear, slots);
       const Mask isMet = hn::Le(tNear, pick(test.tFar, slots));
       const Floats ordered = pick(children, slots);
@@ -260,8 +259,8 @@ HWY_INLINE std::size_t pushNearestLast(const WideNode& node, std::uint32_t octan
   return size;
 }
 
-/// The edge functions of sixteen triangles: see triangle_intersection.hpp. Plain multiplications and
-/// subtractions only, so that each is rounded as it is in the test of a single triangle.
+/// The edge functions of sixteen triangles: see triangle_intersection.hpp. Plain multiplications
+/// and subtractions only, so that each is rounded as it is in the test of a single triangle.
 class BlockRay {
  public:
   explicit HWY_INLINE BlockRay(const WideQuery& query)
@@ -312,8 +311,8 @@ class BlockRay {
   static HWY_INLINE Words cornersOf(const TriangleBlock& block, std::size_t corner,
                                     std::size_t vector) {
     const hn::Rebind<std::uint8_t, WordTag> bytes;
-    return hn::PromoteTo(
-        WordTag(), hn::LoadU(bytes, block.corners[corner] + vector * kLanesPerVector));
+    return hn::PromoteTo(WordTag(),
+                         hn::LoadU(bytes, block.corners[corner] + vector * kLanesPerVector));
   }
 
   const WideQuery& query_;
@@ -351,8 +350,8 @@ HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std
   const double sum = u + v + w;
   if (sum == 0.0)
     return false;
-  const double z = u * static_cast<double>(a.z) + v * static_cast<double>(b.z) +
-                   w * static_cast<double>(c.z);
+  const double z =
+      u * static_cast<double>(a.z) + v * static_cast<double>(b.z) + w * static_cast<double>(c.z);
   const auto t = static_cast<float>(z / (sum * static_cast<double>(query.directionZ)));
   // A NaN fails both comparisons.
   if (!(t >= query.tMin && t <= query.hitT))
@@ -416,8 +415,8 @@ struct Progress {
   }
 };
 
-/// Goes on until the query is answered, then returns false, or until the next thing to do is to test
-/// the objects of `child`. Calls nothing, so that the ray can stay in registers.
+/// Goes on until the query is answered, then returns false, or until the next thing to do is to
+/// test the objects of `child`. Calls nothing, so that the ray can stay in registers.
 template <bool kStopsAtAnyHit>
 HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& child) {
   const WideRay boxRay(query);
@@ -428,9 +427,9 @@ HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& chi
       const WideNode& node = query.nodes[child.nodeIndex()];
       BoxTest test;
       boxRay.test(node, tMax, test);
-      progress.size = kStopsAtAnyHit
-                          ? pushUnordered(node, test, progress.stack, progress.size)
-                          : pushNearestLast(node, query.octant, test, progress.stack, progress.size);
+      progress.size =
+          kStopsAtAnyHit ? pushUnordered(node, test, progress.stack, progress.size)
+                         : pushNearestLast(node, query.octant, test, progress.stack, progress.size);
     } else if (child.holdsObjects()) {
       return true;
     } else if (testBlocks<kStopsAtAnyHit>(query, blockRay, child)) {

@@ -64,8 +64,8 @@ class BlockBuilder {
 }  // namespace
 
 std::size_t packTriangles(const TriangleMeshView<float>& mesh,
-                                 std::span<const std::uint32_t> objects, std::uint32_t firstObject,
-                                 std::vector<TriangleBlock>& blocks) {
+                          std::span<const std::uint32_t> objects, std::uint32_t firstObject,
+                          std::vector<TriangleBlock>& blocks) {
   const std::size_t before = blocks.size();
   BlockBuilder builder;
   bool isEmpty = true;

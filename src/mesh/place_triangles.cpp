@@ -11,10 +11,6 @@
 namespace planetree::detail {
 namespace {
 
-bool isTriangleMesh(const GeometryEntry<float>& geometry) noexcept {
-  return geometry.intersecting == &faceIntersectionTable<float>();
-}
-
 /// Adds blocks with all objects of a leaf; false if one of them is no face of a mesh.
 bool packLeaf(std::span<const GeometryEntry<float>> geometries,
               std::span<const std::uint32_t> references, std::vector<TriangleBlock>& blocks) {
@@ -35,13 +31,17 @@ bool packLeaf(std::span<const GeometryEntry<float>> geometries,
 
 }  // namespace
 
+bool isTriangleMesh(const GeometryEntry<float>& geometry) noexcept {
+  return geometry.intersecting == &faceIntersectionTable<float>();
+}
+
 PlaceLeaf placeTriangles(const TreeData<float>& tree) {
   return [&tree](std::uint32_t leafIndex, std::vector<TriangleBlock>& blocks) {
     const LeafNode& leaf = tree.nodes[leafIndex].leaf();
     const std::size_t first = blocks.size();
-    const bool isPacked = packLeaf(
-        tree.geometries, std::span(tree.references).subspan(leaf.firstReference(), leaf.count()),
-        blocks);
+    const bool isPacked =
+        packLeaf(tree.geometries,
+                 std::span(tree.references).subspan(leaf.firstReference(), leaf.count()), blocks);
     const std::size_t count = blocks.size() - first;
     if (!isPacked || count > WideChild::kMaxBlockCount ||
         blocks.size() > WideChild::kMaxBlockIndex) {

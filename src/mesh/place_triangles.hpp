@@ -6,6 +6,9 @@
 
 namespace planetree::detail {
 
+/// Whether the objects of a geometry are faces that go into blocks.
+[[nodiscard]] bool isTriangleMesh(const GeometryEntry<float>& geometry) noexcept;
+
 /// Puts leaves that hold nothing but faces of meshes into blocks; all others, and such as would
 /// take too many blocks, stay leaves of the binary form. The tree must outlive the result.
 [[nodiscard]] PlaceLeaf placeTriangles(const TreeData<float>& tree);

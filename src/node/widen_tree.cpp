@@ -29,9 +29,9 @@ struct SlotPlan {
 
 /// A part of the binary form inside one wide node: a subtree in a slot, or a split.
 struct Branch {
-  std::size_t binary;             ///< index of the node
-  std::size_t slot = kNoChild;    ///< if it is in a slot
-  std::size_t left = kNoChild;    ///< index of a branch
+  std::size_t binary;           ///< index of the node
+  std::size_t slot = kNoChild;  ///< if it is in a slot
+  std::size_t left = kNoChild;  ///< index of a branch
   std::size_t right = kNoChild;
 };
 
@@ -179,29 +179,30 @@ class Widener {
 
   /// The slots as a ray meets them, farthest first; those without a child come before all.
   [[nodiscard]] SlotOrder orderOf(const std::vector<Branch>& branches, std::size_t octant) const {
-    std::vector<std::uint8_t> filled;
-    addFarthestFirst(branches, 0, octant, filled);
+    // Written from the end: the nearest is the last.
     std::array<std::uint8_t, kSlotCount> slots = {};
-    const std::size_t emptyCount = kSlotCount - filled.size();
-    for (std::size_t i = 0; i < emptyCount; ++i)
-      slots[i] = static_cast<std::uint8_t>(filled.size() + i);
-    std::copy(filled.begin(), filled.end(), slots.begin() + static_cast<std::ptrdiff_t>(emptyCount));
+    std::size_t rest = kSlotCount;
+    addNearestFirst(branches, 0, octant, slots, rest);
+    const std::size_t filledCount = kSlotCount - rest;
+    for (std::size_t i = 0; i < rest; ++i)
+      slots[i] = static_cast<std::uint8_t>(filledCount + i);
     return SlotOrder(slots);
   }
 
-  void addFarthestFirst(const std::vector<Branch>& branches, std::size_t index, std::size_t octant,
-                        std::vector<std::uint8_t>& slots) const {
+  void addNearestFirst(const std::vector<Branch>& branches, std::size_t index, std::size_t octant,
+                       std::array<std::uint8_t, kSlotCount>& slots, std::size_t& rest) const {
     if (index == kNoChild)
       return;
     const Branch& branch = branches[index];
     if (branch.slot != kNoChild) {
-      slots.push_back(static_cast<std::uint8_t>(branch.slot));
+      PLANETREE_ASSERT(rest > 0);
+      slots[--rest] = static_cast<std::uint8_t>(branch.slot);
       return;
     }
     const auto axis = static_cast<std::size_t>(nodes_[branch.binary].split().axis());
     const bool comesFromAbove = (octant >> axis & 1u) != 0;
-    addFarthestFirst(branches, comesFromAbove ? branch.left : branch.right, octant, slots);
-    addFarthestFirst(branches, comesFromAbove ? branch.right : branch.left, octant, slots);
+    addNearestFirst(branches, comesFromAbove ? branch.right : branch.left, octant, slots, rest);
+    addNearestFirst(branches, comesFromAbove ? branch.left : branch.right, octant, slots, rest);
   }
 
   std::span<const Node> nodes_;

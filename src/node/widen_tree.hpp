@@ -22,8 +22,9 @@ using PlaceLeaf =
 ///
 /// Which subtrees become nodes of their own is chosen so that the area of all wide nodes, and with
 /// it the number that a random ray visits, is smallest: by dynamic programming over the number of
-/// slots that a subtree may take. Ylitie, Karras, Laine, "Efficient incoherent ray traversal on GPUs
-/// through compressed wide BVHs", HPG 2017; here for a kd-tree, whose empty cells take no slot.
+/// slots that a subtree may take. Ylitie, Karras, Laine, "Efficient incoherent ray traversal on
+/// GPUs through compressed wide BVHs", HPG 2017; here for a kd-tree, whose empty cells take no
+/// slot.
 [[nodiscard]] WideTree widenTree(std::span<const Node> nodes, std::span<const Box3> leafBounds,
                                  const Box3& bounds, const PlaceLeaf& placeLeaf);
 

@@ -37,6 +37,8 @@ void requireValid(const BuildOptions& options) {
           "Give a traversal cost of 0 or more, such as 1.5.");
   require(isCost(cost.intersectionCost), "cost.intersectionCost is negative or not finite",
           "Give an intersection cost of 0 or more, such as 1.");
+  require(isCost(cost.faceCost), "cost.faceCost is negative or not finite",
+          "Give a face cost of 0 or more, such as 0.1875.");
   require(cost.emptyBonus >= 0.0 && cost.emptyBonus < 1.0, "cost.emptyBonus is out of range",
           "Give an empty bonus from 0 to less than 1, such as 0.2.");
 }
@@ -80,7 +82,27 @@ ClipReferences clipperFor(const std::vector<GeometryEntry<T>>& geometries) {
   };
 }
 
+/// The options with the costs that the tree's queries have.
+template <class T>
+BuildOptions optionsFor(const TreeData<T>& tree) {
+  BuildOptions options = tree.options;
+  options.cost.intersectionCost = intersectionCostOf(tree);
+  return options;
+}
+
 }  // namespace
+
+template <>
+double intersectionCostOf(const TreeData<double>& tree) noexcept {
+  return tree.options.cost.intersectionCost;
+}
+
+template <>
+double intersectionCostOf(const TreeData<float>& tree) noexcept {
+  const bool holdsOnlyFaces =
+      std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh);
+  return holdsOnlyFaces ? tree.options.cost.faceCost : tree.options.cost.intersectionCost;
+}
 
 template <class T>
 TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildOptions& options) {
@@ -96,7 +118,8 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     clock.end("bound");
 
     const ClipReferences clip = clipperFor(tree.geometries);
-    const TreeBuilder builder(options, depthLimitFor(options, objects.references.size()), clip);
+    const BuildOptions effective = optionsFor(tree);
+    const TreeBuilder builder(effective, depthLimitFor(options, objects.references.size()), clip);
     NodeArray array;
     const double budget = referenceBudget(options, objects.references.size());
     builder.buildTree(std::move(objects.references), tree.bounds, 1, budget, array);

@@ -2,7 +2,6 @@
 
 #include <planetree/mesh/triangle_intersection.hpp>
 
-#include "isa/wide_kernels.hpp"
 #include "node/wide_node.hpp"
 #include "traversal/wide_query.hpp"
 
@@ -11,12 +10,12 @@ namespace {
 
 /// A query of the wide form that can also reach what is not in its blocks.
 struct WideSearch : WideQuery {
-  explicit WideSearch(const Query<float>& of) noexcept : query(of) {
-    nodes = of.tree.wide->nodes.data();
-    blocks = of.tree.wide->blocks.data();
-    root = of.tree.wide->root;
-    tMin = of.interval.tMin;
-    hitT = of.interval.tMax;
+  explicit WideSearch(const Query<float>& asked) noexcept : query(asked) {
+    nodes = query.tree.wide->nodes.data();
+    blocks = query.tree.wide->blocks.data();
+    root = query.tree.wide->root;
+    tMin = query.interval.tMin;
+    hitT = query.interval.tMax;
     if (!seesAll())
       sees = [](const WideQuery& wide, std::uint32_t object) noexcept {
         const Query<float>& of = static_cast<const WideSearch&>(wide).query;
@@ -33,9 +32,8 @@ struct WideSearch : WideQuery {
     Hitf hit = unfinishedHit();
     hit.u = static_cast<float>(hitWeights[1] / sum);
     hit.v = static_cast<float>(hitWeights[2] / sum);
-    hit.normal =
-        triangleNormal(hitBlock->corner(hitLane, 0), hitBlock->corner(hitLane, 1),
-                       hitBlock->corner(hitLane, 2), query.ray.ray().direction);
+    hit.normal = triangleNormal(hitBlock->corner(hitLane, 0), hitBlock->corner(hitLane, 1),
+                                hitBlock->corner(hitLane, 2), query.ray.ray().direction);
     return hit;
   }
 
@@ -82,7 +80,8 @@ struct WideSearch : WideQuery {
 }  // namespace
 
 template <class Goal>
-std::optional<bool> searchWide(const Query<float>& query, Hitf& hit) noexcept {
+std::optional<bool> searchWide(const Query<float>& query, Hitf& hit,
+                               const WideKernels& kernels) noexcept {
   if (query.tree.wide == nullptr)
     return std::nullopt;
   if (!query.ray.isValid() || query.tree.bounds.isEmpty())
@@ -93,7 +92,6 @@ std::optional<bool> searchWide(const Query<float>& query, Hitf& hit) noexcept {
   search.testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
     return static_cast<WideSearch&>(wide).testLeaf<Goal>(leafIndex);
   };
-  const WideKernels& kernels = wideKernels();
   if (Goal::kStopsAtAnyHit)
     return kernels.findAny(search);
   if (!kernels.findNearest(search))
@@ -102,7 +100,9 @@ std::optional<bool> searchWide(const Query<float>& query, Hitf& hit) noexcept {
   return true;
 }
 
-template std::optional<bool> searchWide<NearestHit>(const Query<float>&, Hitf&) noexcept;
-template std::optional<bool> searchWide<AnyHit>(const Query<float>&, Hitf&) noexcept;
+template std::optional<bool> searchWide<NearestHit>(const Query<float>&, Hitf&,
+                                                    const WideKernels&) noexcept;
+template std::optional<bool> searchWide<AnyHit>(const Query<float>&, Hitf&,
+                                                const WideKernels&) noexcept;
 
 }  // namespace planetree::detail

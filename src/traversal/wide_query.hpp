@@ -47,8 +47,8 @@ struct WideQuery {
   bool (*sees)(const WideQuery& query, std::uint32_t object) noexcept = nullptr;
 
   // --- the best hit so far ---
-  float hitT = 0.0f;                       ///< at first the end of the interval
-  std::uint32_t hitObject = 0xFFFF'FFFFu;  ///< the tree's number of the object
+  float hitT = 0.0f;                        ///< at first the end of the interval
+  std::uint32_t hitObject = 0xFFFF'FFFFu;   ///< the tree's number of the object
   const TriangleBlock* hitBlock = nullptr;  ///< null if it is no triangle of a block
   std::uint32_t hitLane = 0;
   double hitWeights[3] = {};  ///< of the corners, not divided by their sum

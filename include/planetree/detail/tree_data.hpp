@@ -21,11 +21,19 @@ struct TreeData {
   std::vector<Node> nodes = {};                ///< at least one
   std::vector<std::uint32_t> references = {};  ///< object numbers; each leaf names a sorted run
   std::vector<GeometryEntry<T>> geometries = {};
-  Box3 bounds = {};  ///< of all objects in the tree; empty without any
+  Box3 bounds = {};                           ///< of all objects in the tree; empty without any
   std::shared_ptr<const WideTree> wide = {};  ///< derived from the nodes; null if there is none
   BuildOptions options = {};
   BuildReport report = {};
 };
+
+/// What one object in a leaf of the tree costs a query.
+template <class T>
+[[nodiscard]] double intersectionCostOf(const TreeData<T>& tree) noexcept;
+template <>
+[[nodiscard]] double intersectionCostOf(const TreeData<float>& tree) noexcept;
+template <>
+[[nodiscard]] double intersectionCostOf(const TreeData<double>& tree) noexcept;
 
 /// Builds the tree of all objects of the geometries, numbered in their order.
 template <class T>

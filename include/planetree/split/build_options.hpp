@@ -59,7 +59,8 @@ struct BuildOptions {
     BuildOptions options;
     options.leafSize = 10;
     options.depthLimit = 15;
-    options.cost = {.traversalCost = 0.0, .intersectionCost = 1.0, .emptyBonus = 0.0};
+    options.cost = {
+        .traversalCost = 0.0, .intersectionCost = 1.0, .faceCost = 1.0, .emptyBonus = 0.0};
     options.stopsByCost = false;
     options.allowsEmptyCells = false;
     options.clipsReferences = false;

@@ -16,7 +16,7 @@ namespace {
 constexpr Box3 kUnitCube = {.lower = {0, 0, 0}, .upper = {1, 1, 1}};
 
 void addLeaf(NodeArray& array, const std::vector<std::uint32_t>& objects) {
-  const std::span<std::uint32_t> room = array.addLeaf(objects.size());
+  const std::span<std::uint32_t> room = array.addLeaf(objects.size(), {});
   ASSERT_EQ(room.size(), objects.size());
   std::copy(objects.begin(), objects.end(), room.begin());
 }

@@ -1,0 +1,154 @@
+#include "node/widen_tree.hpp"
+
+#include <planetree/planetree.hpp>
+
+#include "support/hard_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+namespace planetree::detail {
+namespace {
+
+/// Walks a wide tree and checks what must hold for every node of it.
+class WideWalk {
+ public:
+  WideWalk(const TreeView<float>& tree) : tree_(tree), wide_(*tree.wide) {
+    if (!tree.bounds.isEmpty())
+      visit(wide_.root, tree.bounds);
+  }
+
+  /// Every object as often as there are leaves that hold it.
+  std::multiset<std::uint32_t> objects;
+  std::size_t nodeCount = 0;
+
+ private:
+  void visit(WideChild child, const Box3& outer) {
+    if (child.isNode()) {
+      visitNode(wide_.nodes.at(child.nodeIndex()), outer);
+    } else if (child.holdsObjects()) {
+      const LeafNode& leaf = tree_.nodes[child.leafIndex()].leaf();
+      const auto references = tree_.references.subspan(leaf.firstReference(), leaf.count());
+      objects.insert(references.begin(), references.end());
+    } else {
+      for (std::uint32_t i = 0; i < child.blockCount(); ++i) {
+        const TriangleBlock& block = wide_.blocks.at(child.firstBlock() + i);
+        for (std::size_t lane = 0; lane < TriangleBlock::kLaneCount; ++lane) {
+          if ((block.usedLanes >> lane & 1u) != 0)
+            objects.insert(block.objects[lane]);
+        }
+      }
+    }
+  }
+
+  void visitNode(const WideNode& node, const Box3& outer) {
+    ++nodeCount;
+    for (const SlotOrder& order : node.orders) {
+      std::set<std::size_t> slots;
+      for (std::size_t i = 0; i < WideNode::kSlotCount; ++i)
+        slots.insert(order[i]);
+      EXPECT_EQ(slots.size(), WideNode::kSlotCount);
+    }
+    for (std::size_t slot = 0; slot < WideNode::kSlotCount; ++slot) {
+      const Box3 box = boundsOf(node, slot);
+      if (node.planes[0][slot] > node.planes[1][slot])
+        continue;
+      EXPECT_TRUE(contains(outer, box));
+      visit(node.children[slot], box);
+    }
+  }
+
+  /// Back where it was, grown by what rounding may have taken.
+  [[nodiscard]] Box3 boundsOf(const WideNode& node, std::size_t slot) const {
+    Box3 box;
+    for (const Axis axis : kAxes) {
+      const auto i = 2 * static_cast<std::size_t>(axis);
+      box.lower[axis] = node.planes[i][slot] + wide_.center[axis];
+      box.upper[axis] = node.planes[i + 1][slot] + wide_.center[axis];
+    }
+    return box;
+  }
+
+  static bool contains(const Box3& outer, const Box3& inner) {
+    constexpr float kRounding = 0x1p-20f;
+    for (const Axis axis : kAxes) {
+      const float margin =
+          kRounding * std::max(std::fabs(outer.lower[axis]), std::fabs(outer.upper[axis]));
+      if (inner.lower[axis] < outer.lower[axis] - margin ||
+          inner.upper[axis] > outer.upper[axis] + margin)
+        return false;
+    }
+    return true;
+  }
+
+  const TreeView<float>& tree_;
+  const WideTree& wide_;
+};
+
+TEST(WidenTree, HoldsEveryReferenceOfTheBinaryFormOnce) {
+  for (const test::HardMesh<float>& hard : test::hardMeshes<float>()) {
+    for (const std::uint32_t leafSize : {0u, 4u, 40u, 1000u}) {
+      SCOPED_TRACE(hard.name);
+      const auto tree = buildTree(hard.mesh.view(), {.leafSize = leafSize});
+      const TreeView<float> view = tree.view();
+      const WideWalk walk(view);
+      EXPECT_EQ(walk.objects,
+                std::multiset<std::uint32_t>(view.references.begin(), view.references.end()));
+      EXPECT_EQ(walk.nodeCount, view.wide->nodes.size());
+    }
+  }
+}
+
+TEST(WidenTree, FillsItsSlots) {
+  const auto tree = buildTree(test::detail::soup<float>(21, 5000, 0.02));
+  const WideTree& wide = *tree.view().wide;
+  std::size_t filledCount = 0;
+  for (const WideNode& node : wide.nodes) {
+    for (std::size_t slot = 0; slot < WideNode::kSlotCount; ++slot)
+      filledCount += node.planes[0][slot] <= node.planes[1][slot] ? 1 : 0;
+  }
+  EXPECT_GT(filledCount, wide.nodes.size() * WideNode::kSlotCount / 2);
+}
+
+TEST(SlotOrder, GivesBackWhatItWasMadeFrom) {
+  std::array<std::uint8_t, 16> slots = {3, 1, 0, 2, 15, 14, 13, 12, 4, 6, 5, 7, 11, 9, 10, 8};
+  const SlotOrder order(slots);
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    EXPECT_EQ(order[i], slots[i]);
+}
+
+/// A split of space along x, then y: the order of the four leaves is known.
+TEST(WidenTree, OrdersSlotsFromFarToNear) {
+  TriangleMesh<float> mesh;
+  for (const float x : {0.0f, 10.0f}) {
+    for (const float y : {0.0f, 10.0f})
+      test::detail::addTriangle<float>(mesh, {x, y, 0}, {x + 1, y, 0}, {x, y + 1, 1});
+  }
+  const auto tree = buildTree(mesh.view(), {.leafSize = 1, .stopsByCost = false});
+  const WideTree& wide = *tree.view().wide;
+  ASSERT_EQ(wide.nodes.size(), 1u);
+  const WideNode& node = wide.nodes.front();
+  for (std::size_t octant = 0; octant < 8; ++octant) {
+    const auto distanceAlong = [&](std::size_t slot) {
+      const float x = node.planes[0][slot] * ((octant & 1u) != 0 ? -1.0f : 1.0f);
+      const float y = node.planes[2][slot] * ((octant & 2u) != 0 ? -1.0f : 1.0f);
+      return std::pair(x, y);
+    };
+    // The last four are filled; a slot never comes before one that lies beyond it on both axes.
+    for (std::size_t i = 12; i < 16; ++i) {
+      for (std::size_t j = i + 1; j < 16; ++j) {
+        const auto [farX, farY] = distanceAlong(node.orders[octant][i]);
+        const auto [nearX, nearY] = distanceAlong(node.orders[octant][j]);
+        EXPECT_FALSE(nearX > farX && nearY > farY) << octant;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace planetree::detail
