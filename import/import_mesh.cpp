@@ -25,15 +25,17 @@ const char* nameOf(MeshFormat format) noexcept {
       return "STL";
     case MeshFormat::Obj:
       return "OBJ";
+    case MeshFormat::Off:
+      return "OFF";
     case MeshFormat::Other:
       break;
   }
   return "other";
 }
 
-/// Whether the name is one of PLY, STL or OBJ, or says nothing.
+/// Whether the name is one of PLY, STL, OBJ or OFF, or says nothing.
 bool isNamedForOwnReaders(const fs::path& path) {
-  constexpr std::array<std::string_view, 4> kExtensions = {"", ".ply", ".stl", ".obj"};
+  constexpr std::array<std::string_view, 5> kExtensions = {"", ".ply", ".stl", ".obj", ".off"};
   std::string extension = path.extension().string();
   for (char& c : extension)
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;

@@ -13,13 +13,13 @@ namespace planetree::importing {
 
 /// What importing found beside the mesh. Nothing is dropped in silence.
 struct ImportReport : MeshReadReport {
-  std::string formatName;            ///< "PLY", "STL", "OBJ", or what assimp calls it
+  std::string formatName;            ///< "PLY", "STL", "OBJ", "OFF", or what assimp calls it
   std::vector<std::string> remarks;  ///< what assimp warns of: the first few, each once
   std::uint64_t remarkCount = 0;     ///< all of them, repeated ones too
 };
 
-/// Reads a model in any format that planetree knows: PLY, STL and OBJ as `readMesh` does, and
-/// through assimp OFF, glTF 2.0, COLLADA, FBX, 3DS and what else it reads.
+/// Reads a model in any format that planetree knows: PLY, STL, OBJ and OFF as `readMesh` does,
+/// and through assimp glTF 2.0, COLLADA, FBX, 3DS and what else it reads.
 ///
 /// A scene of many parts becomes one mesh: each part is there as often as the scene places it, and
 /// where it is placed. Only positions and polygons are read, in the pose in which they are stored:

@@ -40,7 +40,7 @@ std::unique_ptr<Shading> makeShading(const Tracer& tracer, const RenderSettings&
 /// A colour that stands out from all that the mode can show.
 Vec3f wireColour(RenderMode mode) noexcept {
   constexpr Vec3f kInk{0.010f, 0.035f, 0.15f};
-  constexpr Vec3f kIce{0.25f, 0.80f, 1.00f};
+  constexpr Vec3f kIce{0.12f, 0.55f, 0.75f};
   constexpr Vec3f kAmber{1.00f, 0.45f, 0.02f};
   switch (mode) {
     case RenderMode::Heat:

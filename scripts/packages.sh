@@ -15,7 +15,7 @@ packages_for() {
     # For scripts/fetch_scenes.sh: models to measure with.
     scenes) echo glmark2-data assimp-testmodels ;;
     # For .ci/run: a second compiler with its sanitizers, and what reads the sources.
-    ci) echo clang libclang-rt-14-dev clang-format git shellcheck ;;
+    ci) echo clang libclang-rt-14-dev clang-format git shellcheck mandoc zsh fish ;;
     *) say "no packages are known for '$1'"; return 1 ;;
   esac
 }

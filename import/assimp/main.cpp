@@ -47,7 +47,7 @@ class Remarks : public Assimp::LogStream {
 
 /// planetree reads these by itself, and never through assimp: one file must not be two meshes.
 void leaveOwnFormats(Assimp::Importer& importer) {
-  for (const char* const extension : {"ply", "stl", "obj"})
+  for (const char* const extension : {"ply", "stl", "obj", "off"})
     importer.UnregisterLoader(importer.GetImporter(extension));
 }
 

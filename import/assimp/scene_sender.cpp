@@ -108,6 +108,8 @@ void sendScene(const aiScene& scene, MessageWriter& writer) {
       const std::span<aiMesh* const> meshes = items(scene.mMeshes, scene.mNumMeshes);
       if (index < meshes.size() && meshes[index])
         sender.sendMesh(*meshes[index], placement);
+      else
+        writer.say(MessageKind::Remark, "a node refers to a mesh that does not exist");
     }
     // The last one first: the visits then come in the order of the file.
     const std::span<aiNode* const> children =

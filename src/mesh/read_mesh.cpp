@@ -16,11 +16,12 @@ namespace planetree {
 namespace detail {
 namespace {
 
-enum class FileKind : std::uint8_t { Ply, StlText, StlBinary, Obj };
+enum class FileKind : std::uint8_t { Ply, StlText, StlBinary, Obj, Off };
 
 constexpr MeshFormat formatOf(FileKind kind) noexcept {
   return kind == FileKind::Ply   ? MeshFormat::Ply
          : kind == FileKind::Obj ? MeshFormat::Obj
+         : kind == FileKind::Off ? MeshFormat::Off
                                  : MeshFormat::Stl;
 }
 
@@ -68,7 +69,7 @@ Error unknownFormat(const MeshInput& input) {
   if (isPacked)
     return error("the file is compressed", "Unpack it first");
   return error("the file is in none of the formats that can be read",
-               "Convert it to PLY, STL or OBJ");
+               "Convert it to PLY, STL, OBJ or OFF");
 }
 
 /// What the bytes are, as far as their beginning tells; damage further on is the reader's affair.
@@ -81,6 +82,8 @@ FileKind detectKind(const MeshInput& input) {
     return FileKind::Ply;
   if (lowerCase(word) == "solid")
     return isBinary ? FileKind::StlBinary : FileKind::StlText;
+  if (isOff(input.bytes))
+    return FileKind::Off;
   if (isObj(input.bytes))
     return FileKind::Obj;
   // A damaged binary STL has nothing to be known by but its name.
@@ -110,6 +113,9 @@ TriangleMesh<T> readBytes(MeshInput input, MeshReadReport* report) {
       break;
     case FileKind::Obj:
       readObj(input, builder);
+      break;
+    case FileKind::Off:
+      readOff(input, builder);
       break;
   }
   if (report)

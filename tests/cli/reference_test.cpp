@@ -4,11 +4,14 @@
 #include "option_syntax.hpp"
 #include "tool_run.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -161,6 +164,38 @@ TEST_F(Reference, EveryOptionOfEveryCommandIsInAllOfThem) {
       EXPECT_NE(fish.find(" -l " + withoutDashes(name)), std::string::npos) << name;
     }
   }
+}
+
+/// What a file of the repository says.
+std::string textOf(const std::string& name) {
+  std::ifstream file(std::string(PLANETREE_REPOSITORY) + "/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_F(Reference, EveryKeyOfTheJsonIsInTheDocs) {
+  writeModel("roof.obj");
+  writeFile("rays.csv", "0.1,0.1,5,0,0,-1\n");
+  const ToolResult result = run({"trace", "roof.obj", "rays.csv", "-o", "hits.csv", "--json"});
+  const std::string docs = textOf("docs/command_line.md");
+  const auto expectNamed = [&](const std::string& key) {
+    EXPECT_NE(docs.find("`" + key + "`"), std::string::npos) << key;
+  };
+  const auto json = nlohmann::json::parse(result.out);
+  for (const auto& [key, value] : json.items()) {
+    expectNamed(key);
+    if (!value.is_object())
+      continue;
+    for (const auto& part : value.items())
+      expectNamed(std::string(key).append(".").append(part.key()));
+  }
+  for (const auto& option : json["build"]["options"].items())
+    expectNamed(option.key());
+}
+
+TEST_F(Reference, EveryCommandIsInTheDocs) {
+  const std::string docs = textOf("docs/command_line.md");
+  for (const CommandSyntax& command : tool::commandSyntax(tool::CommandLine().app()).commands)
+    EXPECT_NE(docs.find("`" + command.name + "`"), std::string::npos) << command.name;
 }
 
 TEST(NearestName, IsTheOneThatWasMeant) {

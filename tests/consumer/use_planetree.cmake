@@ -19,8 +19,8 @@ endfunction()
 # The installed tool finds the program that reads other formats than its own.
 function(run_installed_tool)
   if(EXISTS ${work}/moved/bin/planetree)
-    file(WRITE ${work}/triangle.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
-    run(${work}/moved/bin/planetree render ${work}/triangle.off --size 16x16
+    file(WRITE ${work}/triangle.raw "0 0 0 1 0 0 0 1 0\n")
+    run(${work}/moved/bin/planetree render ${work}/triangle.raw --size 16x16
         -o ${work}/triangle.png)
   endif()
 endfunction()

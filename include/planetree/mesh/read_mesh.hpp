@@ -14,7 +14,7 @@ namespace planetree {
 
 /// The model files that can be read. Told apart by their content, not by their name. `Other` is for
 /// programs that fill in a report themselves, for a format of their own.
-enum class MeshFormat : std::uint8_t { Ply, Stl, Obj, Other };
+enum class MeshFormat : std::uint8_t { Ply, Stl, Obj, Off, Other };
 
 /// A polygon of the file that could not become triangles, and why.
 struct SkippedPolygon {
@@ -35,8 +35,8 @@ struct MeshReadReport {
   std::uint64_t tooLargeCount = 0;
 };
 
-/// Reads a model into one mesh: PLY (ASCII, binary little and big endian), STL (ASCII and binary)
-/// or OBJ (all its objects and groups together). Only positions and polygons are read: no colours,
+/// Reads a model into one mesh: PLY (ASCII, binary little and big endian), STL (ASCII and binary),
+/// OBJ (all its objects and groups together) or OFF (ASCII, three coordinates). Only positions and polygons are read: no colours,
 /// normals or materials.
 ///
 /// Polygons with more than three corners are cut into a fan of triangles that remember their source

@@ -145,8 +145,7 @@ std::string threeDStudio() {
 
 std::vector<SampleModel> sampleModels() {
   const std::string buffer = squareBuffer();
-  return {{"cube.off", offCube()},
-          {"square.gltf", gltf(gltfNodes(), embedded(buffer), buffer.size())},
+  return {{"square.gltf", gltf(gltfNodes(), embedded(buffer), buffer.size())},
           {"square.glb", glb(gltfNodes(), buffer)},
           {"square.dae", collada()},
           {"triangle.3ds", threeDStudio()}};

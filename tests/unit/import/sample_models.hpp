@@ -37,7 +37,7 @@ struct SampleModel {
 /// A triangle in chunks of 3D Studio.
 [[nodiscard]] std::string threeDStudio();
 
-/// One of each, with nothing beside it in the folder.
+/// One of each format that assimp reads, with nothing beside it in the folder.
 [[nodiscard]] std::vector<SampleModel> sampleModels();
 
 }  // namespace planetree::test

@@ -66,6 +66,9 @@ std::vector<Sample> samples() {
       {"model.obj",
        "# a\nmtllib a.mtl\no b\nv 0 0 0\nv 1.5 0 0 1\nv 1 -1e2 0 1 0 0\nvn 0 0 1\nvt 0 0\n"
        "f 1/1/1 2//1 3/1\ng c\ns off\nf -1 -2 \\\n-3\nl 1 2\nf 1 2 3 4 # end\n"},
+      {"model.off",
+       "# a\nCOFF\n4 2 0 # b\n0 0 0 1 0 0 1\n1.5 0 0\n1 -1e2 0\n\n0 1 0\n3 0 1 2\n"
+       "4 0 1 2 3 0.5 0.5 0.5\n"},
   };
 }
 
