@@ -7,8 +7,8 @@
 namespace planetree::detail {
 namespace {
 
-// Between these no product below over- or underflows: the longest way to a plane is the largest
-// distance times the largest inverse, 2^40 times that of the largest component.
+// Between these no product below over- or underflows: t of the farthest plane is at most the largest
+// distance times 2^40 (see `PreparedRay`) over the largest component. docs/numerics.md, section 3.
 constexpr float kSmallest = 0x1p-40f;
 constexpr float kLargest = 0x1p+40f;
 
@@ -22,7 +22,8 @@ bool WideQuery::prepare(const PreparedRay<float>& ray, const Vec3f& center) noex
   const ShearedRay<float>& sheared = ray.sheared;
   const Vec3f& origin = ray.ray().origin;
   const Vec3f& direction = ray.ray().direction;
-  if (!isInRange(std::fabs(direction[sheared.kz])) || !isInRange(ray.distanceSlack * 0x1p20f))
+  constexpr float kSlackPart = kSlackInRoundoffs<float> * 0x1p-24f;
+  if (!isInRange(std::fabs(direction[sheared.kz])) || !isInRange(ray.distanceSlack / kSlackPart))
     return false;
 
   kx = static_cast<std::uint32_t>(sheared.kx);

@@ -88,9 +88,10 @@ BuildOptions parsedTreeOptions(std::vector<std::string> arguments) {
 auto membersOf(const BuildOptions& options) {
   const auto& [leafSize, depthLimit, cost, stopsByCost, allowsEmptyCells, clipsReferences,
                planarRule, referencesPerObject, threadCount] = options;
-  const auto& [traversalCost, intersectionCost, emptyBonus] = cost;
-  return std::tuple(leafSize, depthLimit, traversalCost, intersectionCost, emptyBonus, stopsByCost,
-                    allowsEmptyCells, clipsReferences, planarRule, referencesPerObject);
+  const auto& [traversalCost, intersectionCost, faceCost, emptyBonus] = cost;
+  return std::tuple(leafSize, depthLimit, traversalCost, intersectionCost, faceCost, emptyBonus,
+                    stopsByCost, allowsEmptyCells, clipsReferences, planarRule,
+                    referencesPerObject);
 }
 
 /// Triangles in all positions, large enough to cross each other.
@@ -115,13 +116,23 @@ TriangleMesh<float> walls() {
   return mesh;
 }
 
+/// Objects that are no faces.
+std::vector<Sphere<float>> balls() {
+  std::vector<Sphere<float>> balls;
+  for (const Vec3f& center : randomMesh<float>(9, 100).positions)
+    balls.push_back({center, 0.01f});
+  return balls;
+}
+
 std::vector<std::uint64_t> shapesOf(const BuildOptions& options) {
   std::vector<std::uint64_t> shapes;
-  for (const TriangleMesh<float>& mesh : {heap(), walls()}) {
-    const TreeStatistics tree = buildTree(mesh.view(), options).statistics();
+  const auto add = [&](const TreeStatistics& tree) {
     shapes.insert(shapes.end(), {tree.splitNodeCount, tree.leafNodeCount, tree.emptyLeafCount,
                                  tree.referenceCount, tree.largestLeaf, tree.depth});
-  }
+  };
+  for (const TriangleMesh<float>& mesh : {heap(), walls()})
+    add(buildTree(mesh.view(), options).statistics());
+  add(buildTree(balls(), options).statistics());
   return shapes;
 }
 
@@ -136,6 +147,7 @@ const std::vector<std::vector<std::string>> kTreeFlags = {
     {"--depth-limit", "3"},
     {"--traversal-cost", "10"},
     {"--intersection-cost", "9"},
+    {"--face-cost", "9"},
     {"--empty-bonus", "0.9"},
     {"--stops-by-cost", "off"},
     {"--allows-empty-cells", "off"},

@@ -93,6 +93,11 @@ void addCostOptions(CLI::App& app, TreeOptions& options) {
       "What it is believed to pay for an object in a leaf")
       ->type_name("COST");
   addTreeOption(
+      app, options, "--face-cost",
+      [](BuildOptions & build) -> auto& { return build.cost.faceCost; }, parseCost,
+      "The same for a face of a mesh in single precision, in a tree that holds nothing else")
+      ->type_name("COST");
+  addTreeOption(
       app, options, "--empty-bonus",
       [](BuildOptions & build) -> auto& { return build.cost.emptyBonus; }, parsePart,
       "The part of a split's cost that is forgiven if one side is empty, from 0 to less than 1")

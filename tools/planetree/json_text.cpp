@@ -19,6 +19,7 @@ Json optionsJson(const BuildOptions& options) {
       {"depth_limit", options.depthLimit ? Json(*options.depthLimit) : Json(nullptr)},
       {"traversal_cost", cost.traversalCost},
       {"intersection_cost", cost.intersectionCost},
+      {"face_cost", cost.faceCost},
       {"empty_bonus", cost.emptyBonus},
       {"stops_by_cost", options.stopsByCost},
       {"allows_empty_cells", options.allowsEmptyCells},

@@ -38,6 +38,7 @@ class TreeArguments {
     addSwitch("--stops-by-cost", options.stopsByCost, usual.stopsByCost);
     add("--traversal-cost", options.cost.traversalCost, usual.cost.traversalCost);
     add("--intersection-cost", options.cost.intersectionCost, usual.cost.intersectionCost);
+    add("--face-cost", options.cost.faceCost, usual.cost.faceCost);
     add("--empty-bonus", options.cost.emptyBonus, usual.cost.emptyBonus);
     addSwitch("--allows-empty-cells", options.allowsEmptyCells, usual.allowsEmptyCells);
     addSwitch("--clips-references", options.clipsReferences, usual.clipsReferences);

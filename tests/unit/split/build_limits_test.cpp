@@ -144,12 +144,14 @@ TEST(ReferencesPerObject, BoundsTheReferencesOfFacesThatMeetInOneCorner) {
   mesh.addPolygon(corners, 0);
   for (const std::uint32_t bound : {1u, 2u, 32u}) {
     BuildOptions options;
+    options.cost.faceCost = 1.0;
     options.referencesPerObject = bound;
     const auto tree = buildTree(mesh.view(), options);
     EXPECT_LE(tree.statistics().referenceCount, std::uint64_t{bound} * mesh.faces.size());
     expectValid(tree);
   }
   BuildOptions unbounded;
+  unbounded.cost.faceCost = 1.0;
   unbounded.referencesPerObject = 0;
   EXPECT_GT(buildTree(mesh.view(), unbounded).statistics().referenceCount, 32 * mesh.faces.size());
 }
@@ -212,7 +214,7 @@ TEST(StopsByCost, NeverSplitsAtTheCostOfTheLeafOrMore) {
   options.depthLimit = 2;
   // Areas: cell 2 (2 + 1 + 2), halves 2 (1 + 1 + 1); 4 objects on each side.
   const double splitCost = 8.0 * (6.0 / 10.0);
-  options.cost = {.traversalCost = 8.0 - splitCost + 1e-9, .intersectionCost = 1.0};
+  options.cost = {.traversalCost = 8.0 - splitCost + 1e-9, .faceCost = 1.0};
   EXPECT_TRUE(buildTree(mesh.view(), options).root().isLeaf());
   options.cost.traversalCost = 8.0 - splitCost - 1e-9;
   EXPECT_FALSE(buildTree(mesh.view(), options).root().isLeaf());
@@ -222,13 +224,15 @@ TEST(StopsByCost, LowersTheExpectedCost) {
   MeshGenerator generator(kSeed);
   const auto mesh = generator.soupOfAnyCoordinates<float>(500, 0.1f);
   const auto tree = buildTree(mesh.view());
-  EXPECT_LT(tree.statistics().sahCost, tree.options().cost.leafCost(500));
+  EXPECT_LT(tree.statistics().sahCost, 500.0 * tree.options().cost.faceCost);
 }
 
 TEST(AllowsEmptyCells, CutsOffEmptySpace) {
   MeshGenerator generator(kSeed);
   const auto mesh = generator.soupOfAnyCoordinates<float>(200, 0.05f);
-  EXPECT_GT(buildTree(mesh.view()).statistics().emptyLeafCount, 0u);
+  BuildOptions options;
+  options.cost.faceCost = 1.0;
+  EXPECT_GT(buildTree(mesh.view(), options).statistics().emptyLeafCount, 0u);
 }
 
 TEST(AllowsEmptyCells, LeavesNoEmptyCellWhenOff) {
@@ -275,6 +279,8 @@ std::vector<BadOption> badOptions() {
     bad.back().options.cost.traversalCost = cost;
     bad.push_back({"intersectionCost", {}});
     bad.back().options.cost.intersectionCost = cost;
+    bad.push_back({"faceCost", {}});
+    bad.back().options.cost.faceCost = cost;
   }
   for (const double bonus : {1.0, 1.5, -0.1, kInfinity, -kInfinity, kNaN}) {
     bad.push_back({"emptyBonus", {}});
@@ -307,12 +313,14 @@ TEST(BuildOptions, TakesTheEndsOfAllRanges) {
   BuildOptions options;
   options.depthLimit = kMaxTreeDepth;
   options.leafSize = 0;
-  options.cost = {.traversalCost = 0.0, .intersectionCost = 0.0, .emptyBonus = 0.0};
+  options.cost = {
+      .traversalCost = 0.0, .intersectionCost = 0.0, .faceCost = 0.0, .emptyBonus = 0.0};
   MeshGenerator generator(kSeed);
   const auto mesh = generator.soupOfAnyCoordinates<float>(30, 0.1f);
   EXPECT_EQ(buildTree(mesh.view(), options).nodes().size(), 1u);
   options.cost = {.traversalCost = std::numeric_limits<double>::max(),
                   .intersectionCost = std::numeric_limits<double>::max(),
+                  .faceCost = std::numeric_limits<double>::max(),
                   .emptyBonus = std::nextafter(1.0, 0.0)};
   expectValid(buildTree(mesh.view(), options));
 }
