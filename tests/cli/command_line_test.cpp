@@ -5,6 +5,7 @@
 #include "trace_test.hpp"
 
 #include <planetree/build_tree.hpp>
+#include <planetree/shape/sphere.hpp>
 
 #include <algorithm>
 #include <map>
