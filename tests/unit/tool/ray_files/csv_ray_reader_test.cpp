@@ -43,6 +43,10 @@ TEST(CsvRayReader, BlanksAroundNumbersDoNotCount) {
   expectOneRay("  1 ,\t2,3 , 4,5,   6  \n", {1, 2, 3, 4, 5, 6, 0, kInfinity});
 }
 
+TEST(CsvRayReader, NumbersMayStandInQuotationMarks) {
+  expectOneRay("\"1\",\"2\", \"3\" ,4,\" 5\",6\n", {1, 2, 3, 4, 5, 6, 0, kInfinity});
+}
+
 TEST(CsvRayReader, LinesMayEndInAnyWay) {
   expectOneRay("1,2,3,4,5,6", {1, 2, 3, 4, 5, 6, 0, kInfinity});
   expectOneRay("1,2,3,4,5,6\r\n", {1, 2, 3, 4, 5, 6, 0, kInfinity});
