@@ -92,6 +92,20 @@ TEST_F(BenchCommand, FailuresEndWithOneAndLeaveNothing) {
   EXPECT_EQ(filesInFolder(), (std::vector<std::string>{"empty.obj", "waves.ply"}));
 }
 
+TEST_F(BenchCommand, RivalsRefusesASceneThatNoRayCanHit) {
+  writeFile("points.obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 1\n");
+  const auto result = rivals({"points.obj"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(contains(result.err, "points.obj: has 2 triangles, none of which can be hit"));
+  EXPECT_FALSE(contains(result.err, "measuring"));
+}
+
+TEST_F(BenchCommand, RivalsMeasuresAFlatSceneWithAllEngines) {
+  writeFile("flat.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  const auto result = run({"rivals", "--quick", "--repetitions", "1", "flat.obj"});
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
 TEST_F(BenchCommand, RivalsMeasuresNothingIfASceneIsMissing) {
   const auto result = rivals({"--json", "b.json", "waves.ply", "missing.ply"});
   EXPECT_EQ(result.status, 1);
