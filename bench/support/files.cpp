@@ -130,8 +130,11 @@ void writeWholeFile(const fs::path& file, const std::string& bytes) {
 
 void finishStandardOutput() {
   const bool isFlushed = std::fflush(stdout) == 0;
-  if (!isFlushed || std::ferror(stdout) != 0)
-    throwNotWritable("standard output", "writing failed");
+  if (!isFlushed || std::ferror(stdout) != 0) {
+    throw Error(ErrorCode::FileNotWritable, "writing failed",
+                "Free some space where it leads, or redirect it elsewhere.",
+                {.file = "standard output"});
+  }
 }
 
 }  // namespace planetree::bench
