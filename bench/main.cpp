@@ -1,6 +1,7 @@
 #include "bench/report_command.hpp"
 #include "bench/rivals_command.hpp"
 #include "bench/scene_command.hpp"
+#include "bench/support/files.hpp"
 #include "bench/usage_error.hpp"
 
 #include <fmt/format.h>
@@ -51,7 +52,9 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    const int status = run(argc, argv);
+    finishStandardOutput();
+    return status;
   } catch (const UsageError& error) {
     fmt::print(stderr, "planetree-bench: {}\n", error.what());
     return kWrongUsage;

@@ -6,6 +6,8 @@
 #include "bench/support/result.hpp"
 #include "bench/usage_error.hpp"
 
+#include <planetree/error.hpp>
+
 #include <fmt/format.h>
 
 #include <CLI/Config.hpp>
@@ -39,6 +41,10 @@ CLI::App* addReportCommand(CLI::App& app, ReportCommand& command) {
 
 int runReportCommand(const ReportCommand& command) {
   const auto results = resultsFromJson(readTextFile(command.json), command.json);
+  if (results.empty()) {
+    throw Error(ErrorCode::MalformedFile, "holds no results",
+                "Write it anew with planetree-bench rivals --json.", {.file = command.json});
+  }
   const std::string page = readTextFile(command.page);
   // The page links to the plots from where it stands.
   const fs::path pageFolder = fs::absolute(command.page).parent_path();

@@ -21,8 +21,6 @@ namespace planetree::bench {
 
 namespace {
 
-constexpr const char* kStandardOutput = "-";
-
 /// `--quick`: enough to see whether everything works, and roughly what is fast.
 constexpr RayCounts kQuickRayCounts = {.pictureSize = 256, .randomCount = 65'536};
 constexpr std::size_t kQuickBruteForceTests = 40'000'000;
@@ -202,8 +200,12 @@ int runRivalsCommand(const RivalsCommand& command) {
     throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");
   const EngineList engines = selectEngines(command.engines);
   const bool printsJson = command.json == kStandardOutput;
-  if (!command.json.empty() && !printsJson)
+  const bool writesJson = !command.json.empty();
+  if (writesJson)
     checkIsWritable(command.json);
+  // Before the first is measured, which may take an hour.
+  for (const auto& file : command.scenes)
+    checkIsReadable(file);
   warnOfUnfitMachine();
 
   std::vector<Result> results;
@@ -211,11 +213,11 @@ int runRivalsCommand(const RivalsCommand& command) {
     const auto measured = measureScene(command, loadScene(file), engines);
     results.insert(results.end(), measured.begin(), measured.end());
     // After each scene: what was measured stays if a later one fails.
-    if (!command.json.empty() && !printsJson)
+    if (writesJson && isReplacedWhenWritten(command.json))
       writeWholeFile(command.json, toJson(results));
   }
-  if (printsJson)
-    fmt::print("{}", toJson(results));
+  if (writesJson && !isReplacedWhenWritten(command.json))
+    writeWholeFile(command.json, toJson(results));
   fmt::print(printsJson ? stderr : stdout, "{}", tables(results));
   return kDone;
 }

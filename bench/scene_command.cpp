@@ -33,7 +33,7 @@ CLI::App* addSceneCommand(CLI::App& app, SceneCommand& command) {
       ->required()
       ->check(CLI::IsMember(&sceneMakers()))
       ->type_name("SCENE");
-  scene->add_option("-o,--output", command.output, "PLY file to write")
+  scene->add_option("-o,--output", command.output, "PLY file to write; - is standard output")
       ->required()
       ->type_name("FILE");
   return scene;
@@ -43,7 +43,7 @@ int runSceneCommand(const SceneCommand& command) {
   checkIsWritable(command.output);
   const TriangleMesh<float> mesh = sceneMakers().at(command.scene)();
   writeWholeFile(command.output, plyBytes(mesh));
-  fmt::print(stderr, "{}: {} triangles\n", command.output, mesh.faces.size());
+  fmt::print(stderr, "{}: {} triangles\n", command.scene, mesh.faces.size());
   return kDone;
 }
 

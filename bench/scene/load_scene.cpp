@@ -6,6 +6,9 @@
 #include <planetree/error.hpp>
 #include <planetree/geometry/box3.hpp>
 
+#include <fmt/format.h>
+
+#include <cstddef>
 #include <utility>
 
 namespace planetree::bench {
@@ -21,6 +24,19 @@ double diagonalOf(const TriangleMesh<float>& mesh) {
   return bounds.isEmpty() ? 0.0 : length(Vec3d(bounds.upper) - Vec3d(bounds.lower));
 }
 
+/// Whether `buildTree` would leave in a face. Nearly always the first one answers it.
+bool canBeHit(const TriangleMesh<float>& mesh) {
+  const TriangleMeshView<float> view = mesh.view();
+  for (std::size_t face = 0; face < view.size(); ++face) {
+    if (!view[face].isUsable())
+      continue;
+    const auto [a, b, c] = view.corners(face);
+    if (a != b && b != c && c != a)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string sceneName(const std::filesystem::path& file) {
@@ -30,8 +46,17 @@ std::string sceneName(const std::filesystem::path& file) {
 BenchScene loadScene(const std::filesystem::path& file) {
   TriangleMesh<float> mesh = importing::importMesh<float>(file);
   if (mesh.faces.empty()) {
-    throw Error(ErrorCode::InvalidGeometry, "the model has no faces", "Name another model.",
+    throw Error(ErrorCode::InvalidGeometry, "has no triangles",
+                "Rays do not hit point clouds and curves: name another model.",
                 {.file = file.string()});
+  }
+  if (!canBeHit(mesh)) {
+    throw Error(
+        ErrorCode::InvalidGeometry,
+        fmt::format("has {} {}, none of which can be hit", mesh.faces.size(),
+                    mesh.faces.size() == 1 ? "triangle" : "triangles"),
+        "Check how the model was exported: planetree info tells what is wrong with the first one.",
+        {.file = file.string()});
   }
   return makeScene(sceneName(file), std::move(mesh));
 }

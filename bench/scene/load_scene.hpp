@@ -21,7 +21,7 @@ struct BenchScene {
 [[nodiscard]] std::string sceneName(const std::filesystem::path& file);
 
 /// Reads any format that planetree reads. Throws what `importMesh` throws, and `Error` with
-/// `InvalidGeometry` if there are no faces.
+/// `InvalidGeometry` if there are no faces, or none that can be hit.
 [[nodiscard]] BenchScene loadScene(const std::filesystem::path& file);
 
 /// A scene of a mesh that was made in code.

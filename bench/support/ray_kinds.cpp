@@ -16,6 +16,11 @@ constexpr double kOcclusionReach = 0.15;
 constexpr double kSurfaceOffset = 2e-5;
 /// Of the size of the bounds, to each side.
 constexpr double kRandomMargin = 0.05;
+/// Of the diagonal. In a flat scene every origin would lie in the surface or a rounding error off
+/// it, where engines may differ: Embree's fast modes take tMin for outside of the interval, its
+/// robust modes for inside, and both flush the denormals by which a box may be larger than the
+/// face.
+constexpr double kLeastRandomSize = 0.01;
 
 /// Each kind has numbers of its own, so that asking for fewer kinds changes none of the others.
 std::uint64_t seedOf(RayKind kind) {
@@ -75,10 +80,28 @@ std::vector<Rayf> cosineRays(const std::vector<SurfacePoint>& points, std::uint6
   return rays;
 }
 
+/// A corner and the size of a box.
+struct Place {
+  Vec3d lower;
+  Vec3d size;
+};
+
+/// The bounds, thickened where they are too flat.
+Place placeOfOrigins(const Box3& bounds) {
+  Place place = {.lower = Vec3d(bounds.lower), .size = Vec3d(bounds.upper) - Vec3d(bounds.lower)};
+  const double least = kLeastRandomSize * length(place.size);
+  for (const Axis axis : kAxes) {
+    if (place.size[axis] < least) {
+      place.lower[axis] -= (least - place.size[axis]) / 2.0;
+      place.size[axis] = least;
+    }
+  }
+  return place;
+}
+
 std::vector<Rayf> randomRays(const Box3& bounds, std::size_t count, std::uint64_t seed) {
   Random random(seed);
-  const Vec3d lower(bounds.lower);
-  const Vec3d size = Vec3d(bounds.upper) - lower;
+  const auto [lower, size] = placeOfOrigins(bounds);
   const auto inside = [&] { return random.between(-kRandomMargin, 1.0 + kRandomMargin); };
   std::vector<Rayf> rays;
   rays.reserve(count);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -89,6 +90,63 @@ TEST_F(BenchCommand, FailuresEndWithOneAndLeaveNothing) {
   EXPECT_EQ(rivals({"--json", "no/such/folder.json", "waves.ply"}).status, 1);
   EXPECT_EQ(run({"scene", "interior", "-o", "no/such/folder.ply"}).status, 1);
   EXPECT_EQ(filesInFolder(), (std::vector<std::string>{"empty.obj", "waves.ply"}));
+}
+
+TEST_F(BenchCommand, RivalsRefusesASceneThatNoRayCanHit) {
+  writeFile("points.obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 1\n");
+  const auto result = rivals({"points.obj"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(contains(result.err, "points.obj: has 2 triangles, none of which can be hit"));
+  EXPECT_FALSE(contains(result.err, "measuring"));
+}
+
+TEST_F(BenchCommand, RivalsMeasuresAFlatSceneWithAllEngines) {
+  writeFile("flat.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  const auto result = run({"rivals", "--quick", "--repetitions", "1", "flat.obj"});
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
+TEST_F(BenchCommand, RivalsMeasuresNothingIfASceneIsMissing) {
+  const auto result = rivals({"--json", "b.json", "waves.ply", "missing.ply"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(contains(result.err, "missing.ply"));
+  EXPECT_FALSE(contains(result.err, "measuring"));
+  EXPECT_EQ(filesInFolder(), std::vector<std::string>{"waves.ply"});
+}
+
+TEST_F(BenchCommand, FailsIfStandardOutputIsFull) {
+  constexpr const char* kFull = "/dev/full";
+  if (!std::filesystem::exists(kFull))
+    GTEST_SKIP() << "there is no " << kFull;
+  const std::vector<std::vector<std::string>> commands = {
+      {"--help"},
+      {"rivals", "--quick", "--engines", "planetree", "--kinds", "random", "waves.ply"},
+      {"rivals", "--quick", "--engines", "planetree", "--kinds", "random", "--json", "-",
+       "waves.ply"},
+      {"scene", "interior", "-o", "-"}};
+  for (const auto& arguments : commands) {
+    const auto result = run(test::ToolStart{.arguments = arguments, .standardOutput = kFull});
+    EXPECT_EQ(result.status, 1) << testing::PrintToString(arguments);
+    EXPECT_TRUE(contains(result.err, "planetree-bench: ")) << result.err;
+  }
+}
+
+TEST_F(BenchCommand, SceneWritesTheSameToStandardOutputAsToAFile) {
+  const auto result = run({"scene", "interior", "-o", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(filesInFolder(), std::vector<std::string>{"waves.ply"});
+  ASSERT_EQ(run({"scene", "interior", "-o", "interior.ply"}).status, 0);
+  EXPECT_TRUE(result.out == readFile("interior.ply"));
+}
+
+TEST_F(BenchCommand, ReportKeepsThePageIfThereAreNoResults) {
+  const std::string page = "<!-- figures: begin -->\nold\n<!-- figures: end -->\n";
+  writeFile("page.md", page);
+  writeFile("b.json", "[]");
+  const auto result = run({"report", "b.json", "--page", "page.md", "--plots", "."});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(contains(result.err, "b.json: holds no results")) << result.err;
+  EXPECT_EQ(readFile("page.md"), page);
 }
 
 TEST_F(BenchCommand, ReportRenewsThePageAndKeepsWhatIsWrittenByHand) {

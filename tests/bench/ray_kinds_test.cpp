@@ -13,6 +13,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace planetree::bench {
@@ -132,6 +133,18 @@ TEST(RayKinds, SecondaryDirectionsFollowTheCosine) {
   for (const Rayf& ray : sets.front().rays)
     sum += static_cast<double>(ray.direction.y);
   EXPECT_NEAR(sum / static_cast<double>(sets.front().rays.size()), 2.0 / 3.0, 0.01);
+}
+
+TEST(RayKinds, RandomRaysStartOffAFlatScene) {
+  TriangleMesh<float> flat = test::ball();
+  for (Vec3f& position : flat.positions)
+    position.z = 0.0f;
+  const BenchScene scene = makeScene("flat", std::move(flat));
+  const auto sets = makeRaySets(scene.mesh, scene.camera, {RayKind::Random}, kFew);
+  const auto& rays = sets.front().rays;
+  const auto inPlane = std::count_if(
+      rays.begin(), rays.end(), [](const Rayf& ray) { return std::fabs(ray.origin.z) < 1e-5f; });
+  EXPECT_LT(inPlane, 50) << "of " << rays.size();
 }
 
 TEST(RayKinds, RandomRaysFillTheEnlargedBounds) {

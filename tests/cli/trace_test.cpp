@@ -36,6 +36,13 @@ TEST_F(Trace, DashesAreTheStandardStreams) {
   EXPECT_EQ(result.out, kTwoHits);
 }
 
+TEST_F(Trace, TakesTheModelFromStandardInputToo) {
+  const ToolResult result = run(ToolStart{.arguments = {"trace", "-", "rays.csv", "-q"},
+                                          .standardInput = (folder() / "roof.obj").string()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out, kTwoHits);
+}
+
 TEST_F(Trace, SaysWhatItDidOnStandardError) {
   writeFile("more.csv", std::string(kTwoRays) + "nan,0,0,0,0,1\n0,0,0,0,0,0\n");
   const ToolResult result = trace({"more.csv", "-o", "hits.csv"});

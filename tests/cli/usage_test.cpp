@@ -29,6 +29,22 @@ TEST_F(Usage, VersionGoesToStandardOutput) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST_F(Usage, HelpAndVersionThatCannotBeWrittenAreFailures) {
+  for (const char* option : {"--version", "--help"}) {
+    const ToolResult result = run(ToolStart{.arguments = {option}, .standardOutput = "/dev/full"});
+    EXPECT_EQ(result.status, 1) << option;
+    EXPECT_NE(result.err.find("standard output"), std::string::npos) << result.err;
+  }
+}
+
+TEST_F(Usage, OptionsBeforeTheCommandAreToldToStandBehindIt) {
+  writeModel("model.obj");
+  const ToolResult result = run({"-q", "info", "model.obj"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("Write it behind: planetree info ... -q."), std::string::npos)
+      << result.err;
+}
+
 TEST_F(Usage, VersionNamesTheCompiler) {
   EXPECT_NE(run({"--version"}).out.find("\ncompiled by "), std::string::npos);
 }
@@ -112,6 +128,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{{"render", "--leaf-size", "-1"}, "--leaf-size -1"},
                     Refused{{"render", "--traversal-cost", "-1"}, "--traversal-cost -1"},
                     Refused{{"render", "--traversal-cost", "inf"}, "--traversal-cost inf"},
+                    Refused{{"render", "--traversal-cost", "1e10"}, "--traversal-cost 1e10"},
+                    Refused{{"trace", "-", "-"}, "- twice"},
                     Refused{{"render", "--intersection-cost", "x"}, "--intersection-cost x"},
                     Refused{{"render", "--empty-bonus", "1"}, "--empty-bonus 1"},
                     Refused{{"render", "--empty-bonus", "nan"}, "--empty-bonus nan"},

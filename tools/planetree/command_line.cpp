@@ -4,6 +4,7 @@
 #include "explain_command.hpp"
 #include "help_formatter.hpp"
 #include "info_command.hpp"
+#include "output_file.hpp"
 #include "parse_fault.hpp"
 #include "reference_commands.hpp"
 #include "render_command.hpp"
@@ -13,6 +14,8 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <span>
+#include <sstream>
 #include <string>
 
 namespace planetree::tool {
@@ -62,7 +65,11 @@ int CommandLine::run(int argc, const char* const* argv) {
     app_.parse(argc, argv);
   } catch (const CLI::Success& success) {
     // --help or --version: what was asked for goes to standard output.
-    return app_.exit(success);
+    std::ostringstream out;
+    const int status = app_.exit(success, out, out);
+    const std::string text = out.str();
+    writeFile(kStandardOutput, std::as_bytes(std::span(text)));
+    return status;
   } catch (const CLI::ParseError& error) {
     if (argc <= 1) {
       printToStandardError(app_.help());

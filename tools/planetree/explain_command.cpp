@@ -62,7 +62,9 @@ CLI::App* addExplainCommand(CLI::App& app, ExplainCommand& command) {
   CLI::App& explain =
       *app.add_subcommand("explain", "Tell, step by step, how a ray walks through the tree");
   explain.footer(kFooter);
-  addValue(explain, "MODEL", command.model, parsePath, "Model to trace")->required()->type_name("");
+  addValue(explain, "MODEL", command.model, parsePath, "Model to trace; - is standard input")
+      ->required()
+      ->type_name("");
   addValue(
       explain, "--ray", command.ray,
       [](const OptionText& option) { return std::string(option.text); },

@@ -169,7 +169,9 @@ void writePlot(const TreeAccount& account, const fs::path& path, const Talk& tal
 CLI::App* addInfoCommand(CLI::App& app, InfoCommand& command) {
   CLI::App& info = *app.add_subcommand("info", "Show what the tree of a model is like");
   info.footer(kFooter);
-  addValue(info, "MODEL", command.model, parsePath, "Model to look at")->required()->type_name("");
+  addValue(info, "MODEL", command.model, parsePath, "Model to look at; - is standard input")
+      ->required()
+      ->type_name("");
   addValue(info, "--plot", command.plot, parsePath,
            "Draw the charts as an SVG picture into this file; - is standard output, and then the "
            "page is left out")

@@ -1,6 +1,7 @@
 #include "model.hpp"
 
 #include "progress_line.hpp"
+#include "ray_files/byte_source.hpp"
 
 #include <planetree/error.hpp>
 
@@ -28,15 +29,25 @@ auto withProgress(std::string step, const Talk& talk, const Make& make) {
   return make();
 }
 
+/// Where the bytes of a model come from.
+std::filesystem::path sourceOf(const std::filesystem::path& path) {
+  return path == kStandardInput ? std::filesystem::path("/dev/stdin") : path;
+}
+
+std::string displayName(const std::filesystem::path& path) {
+  return path == kStandardInput ? "standard input" : path.string();
+}
+
 }  // namespace
 
 template <std::floating_point T>
 Model<T> readModel(const std::filesystem::path& path, const Talk& talk) {
   const Clock::time_point start = Clock::now();
-  Model<T> model{.name = path.string(), .mesh = {}, .report = {}};
-  const std::string fileName = path.filename().string();
-  model.mesh = withProgress("reading " + fileName, talk,
-                            [&] { return importing::importMesh<T>(path, &model.report); });
+  Model<T> model{.name = displayName(path), .mesh = {}, .report = {}};
+  const std::string fileName = path == kStandardInput ? model.name : path.filename().string();
+  model.mesh = withProgress("reading " + fileName, talk, [&] {
+    return importing::importMesh<T>(sourceOf(path), &model.report);
+  });
   const MeshSize size{.faceCount = model.mesh.faces.size(),
                       .vertexCount = model.mesh.positions.size()};
   sayMesh(talk, fileName, size, model.report, secondsSince(start));

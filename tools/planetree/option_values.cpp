@@ -102,9 +102,11 @@ std::uint64_t parseWholeNumber(const OptionText& option, std::uint64_t lowest,
 }
 
 double parseCost(const OptionText& option) {
+  // Only ratios matter; what is summed up from larger ones would not be finite.
+  constexpr double kHighest = 1e9;
   const auto cost = numberFrom<double>(option.text);
-  if (!cost || !std::isfinite(*cost) || *cost < 0.0)
-    refuse(option, "not a cost", "Give a number of 0 or more, such as 1.5.");
+  if (!cost || !(*cost >= 0.0 && *cost <= kHighest))
+    refuse(option, "not a cost", "Give a number from 0 to 1e9, such as 1.5.");
   return *cost;
 }
 

@@ -48,6 +48,10 @@ UsageError noSuchOption(const Context& context, const std::string& word) {
     if (!option.isPositional)
       known.insert(known.end(), option.names.begin(), option.names.end());
   }
+  if (context.findOption(name) != nullptr) {
+    return {fmt::format("{}: stands before the command", name),
+            fmt::format("Write it behind: {} ... {}.", context.name, name)};
+  }
   return {fmt::format("{}: {} has no such option", name, context.name),
           adviceFor(context, nearestName(name, known))};
 }

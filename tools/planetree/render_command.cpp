@@ -5,6 +5,7 @@
 #include "output_file.hpp"
 #include "picture_metadata.hpp"
 #include "progress_line.hpp"
+#include "ray_files/byte_source.hpp"
 #include "subject.hpp"
 #include "talk.hpp"
 #include "usage_error.hpp"
@@ -55,7 +56,8 @@ PictureFormat chosenFormat(const RenderCommand& command) {
 fs::path outputPath(const RenderCommand& command) {
   if (command.output)
     return *command.output;
-  const fs::path stem = command.model ? command.model->stem() : fs::path("render");
+  const bool hasName = command.model && *command.model != kStandardInput;
+  const fs::path stem = hasName ? command.model->stem() : fs::path("render");
   return fs::path(stem).concat(fmt::format(".{}", formatName(chosenFormat(command))));
 }
 

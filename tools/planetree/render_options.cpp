@@ -46,7 +46,7 @@ Exit status: 0 done, 1 failed, 2 wrong usage.
 void addPictureOptions(CLI::App& app, RenderCommand& command) {
   addValue(app, "MODEL", command.model, parsePath,
            "Model to render: PLY, STL, OBJ, OFF, glTF, COLLADA, FBX, 3DS or one of many others; "
-           "without one, a still life made in code")
+           "- is standard input. Without one, a still life made in code")
       ->type_name("");
   addValue(
       app, "-o,--output", command.output, parsePath,

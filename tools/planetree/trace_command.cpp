@@ -4,6 +4,7 @@
 #include "json_text.hpp"
 #include "model.hpp"
 #include "progress_line.hpp"
+#include "ray_files/byte_source.hpp"
 #include "ray_files/ray_reader.hpp"
 #include "talk.hpp"
 #include "trace_rays.hpp"
@@ -85,6 +86,10 @@ void refuseToReplace(const fs::path& input, std::string_view what, const fs::pat
 
 void checkOptionsAgree(const TraceCommand& command) {
   checkRayLimits(command.limits);
+  if (command.model == kStandardInput && command.rays == kStandardInput) {
+    throw UsageError("- twice: the model and the rays cannot both be standard input",
+                     "Give one of them as a file.");
+  }
   refuseToReplace(command.model, "the model", command.hits);
   refuseToReplace(command.rays, "the file of the rays", command.hits);
   const auto promised = formatOfName(command.hits);
@@ -224,7 +229,8 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
 
 void addTableOptions(CLI::App& app, TraceCommand& command) {
   addValue(app, "MODEL", command.model, parsePath,
-           "Model to trace: PLY, STL, OBJ, OFF, glTF, COLLADA, FBX, 3DS or one of many others")
+           "Model to trace: PLY, STL, OBJ, OFF, glTF, COLLADA, FBX, 3DS or one of many others; "
+           "- is standard input")
       ->required()
       ->type_name("");
   addValue(app, "RAYS", command.rays, parsePath,

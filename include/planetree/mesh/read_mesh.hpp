@@ -36,8 +36,8 @@ struct MeshReadReport {
 };
 
 /// Reads a model into one mesh: PLY (ASCII, binary little and big endian), STL (ASCII and binary),
-/// OBJ (all its objects and groups together) or OFF (ASCII, three coordinates). Only positions and polygons are read: no colours,
-/// normals or materials.
+/// OBJ (all its objects and groups together) or OFF (ASCII, three coordinates). Only positions and
+/// polygons are read: no colours, normals or materials.
 ///
 /// Polygons with more than three corners are cut into a fan of triangles that remember their source
 /// (`TriangleMesh::sourceFace` is the polygon's index in the file). A polygon with fewer than three

@@ -34,12 +34,18 @@ std::string_view contentOf(std::string_view line) noexcept {
   return content.starts_with('#') ? std::string_view() : content;
 }
 
+/// What a field says, be it in quotation marks or not: numbers hold nothing that marks would hide.
+std::string_view withoutQuotes(std::string_view field) noexcept {
+  const bool isQuoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
+  return isQuoted ? withoutBlanks(field.substr(1, field.size() - 2)) : field;
+}
+
 /// Cuts the first field off a line, with the comma behind it.
 std::string_view takeField(std::string_view& line) noexcept {
   const std::size_t comma = line.find(',');
   const std::string_view field = line.substr(0, comma);
   line.remove_prefix(std::min(line.size(), field.size() + 1));
-  return withoutBlanks(field);
+  return withoutQuotes(withoutBlanks(field));
 }
 
 std::size_t countFields(std::string_view line) noexcept {
@@ -49,7 +55,7 @@ std::size_t countFields(std::string_view line) noexcept {
 /// Looks between other separators too: a line of numbers that are not separated by commas is a
 /// mistake to be told, not a header.
 bool hasNumber(std::string_view line) noexcept {
-  constexpr std::string_view kSeparators = ",; \t";
+  constexpr std::string_view kSeparators = ",; \t\"";
   while (!line.empty()) {
     const std::string_view word = line.substr(0, line.find_first_of(kSeparators));
     if (detail::parseNumber<double>(word))

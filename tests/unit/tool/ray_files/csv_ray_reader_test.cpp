@@ -43,6 +43,10 @@ TEST(CsvRayReader, BlanksAroundNumbersDoNotCount) {
   expectOneRay("  1 ,\t2,3 , 4,5,   6  \n", {1, 2, 3, 4, 5, 6, 0, kInfinity});
 }
 
+TEST(CsvRayReader, NumbersMayStandInQuotationMarks) {
+  expectOneRay("\"1\",\"2\", \"3\" ,4,\" 5\",6\n", {1, 2, 3, 4, 5, 6, 0, kInfinity});
+}
+
 TEST(CsvRayReader, LinesMayEndInAnyWay) {
   expectOneRay("1,2,3,4,5,6", {1, 2, 3, 4, 5, 6, 0, kInfinity});
   expectOneRay("1,2,3,4,5,6\r\n", {1, 2, 3, 4, 5, 6, 0, kInfinity});
@@ -84,7 +88,7 @@ TEST(CsvRayReader, WhatIsNotANumberIsNamedWithItsLineAndColumn) {
   expectRefused("1,2,3,4,5,0x10\n", "column 6: \"0x10\"", 1);
   expectRefused("1,2,3,4,5,6 7\n", "column 6: \"6 7\"", 1);
   expectRefused("1,2,3,4,5,--6\n", "column 6: \"--6\"", 1);
-  expectRefused("\"1\",2,3,4,5,6\n", "column 1: \"\"1\"\"", 1);
+  expectRefused("1,2,3,\"4,5,6\n", "column 4: \"\"4\"", 1);
   expectRefused(std::string("1,2,3,4,5,\0\n", 12), "column 6: \"?\"", 1);
 }
 
