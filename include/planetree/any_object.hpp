@@ -45,6 +45,14 @@ class AnyObject {
             .found;
     return found ? std::optional(hit) : std::nullopt;
   }
+  [[nodiscard]] std::optional<Hit<T>> intersectCrossing(const Ray<T>& ray, T tMin,
+                                                        T tMax) const noexcept {
+    const detail::LeafRun run{std::span(&primitive_, 1), 0, geometry_};
+    detail::FirstHitSink<T> sink(tMax, true);
+    const bool found =
+        entry_->intersecting->offerHits(entry_->range, run, ShearedRay<T>(ray), tMin, sink).found;
+    return found ? std::optional(sink.hit) : std::nullopt;
+  }
 
  private:
   [[nodiscard]] detail::BoundedObject bounded() const {

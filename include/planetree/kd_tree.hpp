@@ -8,6 +8,7 @@
 #include <planetree/object.hpp>
 #include <planetree/traversal/explain_intersection.hpp>
 #include <planetree/traversal/find_intersection.hpp>
+#include <planetree/traversal/find_intersections.hpp>
 #include <planetree/traversal/leaf_node_intersection.hpp>
 #include <planetree/traversal/split_node_intersection.hpp>
 
@@ -69,7 +70,26 @@ class KdTree {
     return planetree::isOccluded(view(), ray, options, &steps);
   }
 
-  /// The same searches, told step by step, for looking at single rays. These allocate.
+  /// All hits of the ray, each once, in the order of `isBefore`: as many as `hits` has room for,
+  /// and whether there are more. See find_intersections.hpp, also for what these cost.
+  [[nodiscard]] FoundHits findIntersections(const Ray<Scalar>& ray, std::span<Hit<Scalar>> hits,
+                                            const QueryOptions& options = {}) const noexcept {
+    return planetree::findIntersections(view(), ray, hits, options);
+  }
+  /// The hits behind another one.
+  [[nodiscard]] FoundHits findNextIntersections(const Ray<Scalar>& ray, const Hit<Scalar>& after,
+                                                std::span<Hit<Scalar>> hits,
+                                                const QueryOptions& options = {}) const noexcept {
+    return planetree::findNextIntersections(view(), ray, after, hits, options);
+  }
+  /// The first hit behind another one, or nothing; with it all hits can be visited without storage.
+  [[nodiscard]] std::optional<Hit<Scalar>> findNextIntersection(
+      const Ray<Scalar>& ray, const Hit<Scalar>& after,
+      const QueryOptions& options = {}) const noexcept {
+    return planetree::findNextIntersection(view(), ray, after, options);
+  }
+
+  /// The nearest hit, or any, told step by step, for looking at single rays. These allocate.
   [[nodiscard]] Walk<Scalar> explainIntersection(const Ray<Scalar>& ray,
                                                  const QueryOptions& options = {}) const {
     return planetree::explainIntersection(view(), ray, options);

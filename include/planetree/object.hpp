@@ -33,13 +33,19 @@
 ///  - the same arguments give the same bits, from any thread.
 /// It fills t, u, v, normal and part; the tree fills the ids.
 ///
-/// Two members are optional:
+/// An object has at most one hit at each t. Where there would be more, as at the rim of a capped
+/// cylinder, the shape settles which part it is on.
+///
+/// Three members are optional:
 ///  - `Box3 clippedBounds(const Box3& cell) const` bounds the part of the shape inside the closed
 ///    cell, rounded outward; an empty box says that the shape does not touch the cell. With it the
 ///    tree keeps the shape out of the cells that only its box touches.
 ///  - `int planarSide(Axis axis) const` is the sign of the component of the normal along `axis`,
 ///    for flat shapes. The textbook rules put a shape that lies in a split plane left of it if the
 ///    sign is negative, and right of it otherwise.
+///  - `intersectCrossing`, called as `intersect` is, answers queries with
+///    `QueryOptions::crossings`. Its hits are a part of those of `intersect` with the same t. For
+///    shapes without volume that share edges, as triangles do; solid ones have no need of it.
 ///
 /// An *object* is a shape, a `std::variant` of objects, or a pointer to an object (raw,
 /// `std::unique_ptr` or `std::shared_ptr`; also to a virtual base such as `Geometry<T>`).
@@ -62,6 +68,13 @@ concept ShapeWithClippedBounds = Shape<S> && requires(const S& shape, const Box3
 template <class S>
 concept ShapeWithPlanarSide = Shape<S> && requires(const S& shape, Axis axis) {
   { shape.planarSide(axis) } -> std::convertible_to<int>;
+};
+
+template <class S>
+concept ShapeWithCrossings = Shape<S> &&
+    requires(const S& shape, const Ray<typename S::Scalar>& ray, typename S::Scalar t) {
+  { shape.intersectCrossing(ray, t, t) }
+  noexcept->std::same_as<std::optional<Hit<typename S::Scalar>>>;
 };
 
 namespace detail {
@@ -181,6 +194,23 @@ template <Object O>
   std::optional<Hit<ScalarOf<O>>> hit;
   detail::ObjectTraits<O>::visit(
       object, [&](const auto& shape) { hit = shape.intersect(ray, tMin, tMax); });
+  return hit;
+}
+
+/// The same for a query with `QueryOptions::crossings`.
+template <Object O>
+[[nodiscard]] std::optional<Hit<ScalarOf<O>>> objectIntersectCrossing(const O& object,
+                                                                      const Ray<ScalarOf<O>>& ray,
+                                                                      ScalarOf<O> tMin,
+                                                                      ScalarOf<O> tMax) noexcept {
+  std::optional<Hit<ScalarOf<O>>> hit;
+  detail::ObjectTraits<O>::visit(object, [&]<class S>(const S& shape) {
+    if constexpr (ShapeWithCrossings<S>) {
+      hit = shape.intersectCrossing(ray, tMin, tMax);
+    } else {
+      hit = shape.intersect(ray, tMin, tMax);
+    }
+  });
   return hit;
 }
 

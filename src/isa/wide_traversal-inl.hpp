@@ -360,7 +360,7 @@ HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std
   const bool isTie = t == query.hitT;
   if (isTie && query.hitObject <= object && query.hitObject != 0xFFFF'FFFFu)
     return false;
-  if (query.sees != nullptr && !query.sees(query, object))
+  if (query.accepts != nullptr && !query.accepts(query, block, lane))
     return false;
   query.hitT = t;
   query.hitObject = object;

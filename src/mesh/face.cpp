@@ -60,7 +60,13 @@ int Face<T>::planarSide(Axis axis) const noexcept {
 template <std::floating_point T>
 std::optional<Hit<T>> Face<T>::intersect(const Ray<T>& ray, T tMin, T tMax) const noexcept {
   const auto [a, b, c] = mesh_->corners(index_);
-  return detail::findTriangleHit(ray, a, b, c, tMin, tMax);
+  return detail::findTriangleHit(ShearedRay<T>(ray), a, b, c, tMin, tMax);
+}
+
+template <std::floating_point T>
+std::optional<Hit<T>> Face<T>::intersectCrossing(const Ray<T>& ray, T tMin, T tMax) const noexcept {
+  const auto [a, b, c] = mesh_->corners(index_);
+  return detail::findTriangleCrossing(ShearedRay<T>(ray), a, b, c, tMin, tMax);
 }
 
 template class Face<float>;

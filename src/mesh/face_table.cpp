@@ -2,6 +2,8 @@
 #include <planetree/mesh/clip_triangle.hpp>
 #include <planetree/mesh/triangle_intersection.hpp>
 
+#include "mesh/triangle_hit.hpp"
+
 #include <optional>
 
 namespace planetree::detail {
@@ -67,6 +69,17 @@ LeafAnswer findAnyFace(const void* range, const LeafRun& run, const ShearedRay<T
   });
 }
 
+template <class T>
+LeafAnswer offerFaceHits(const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
+                         HitSink<T>& sink) noexcept {
+  const auto& mesh = *static_cast<const TriangleMeshView<T>*>(range);
+  return offerHitsInRun<T>(run, tMin, sink, [&](std::uint32_t face, T from, T to) {
+    const auto [a, b, c] = mesh.corners(face);
+    return sink.crossings ? findTriangleCrossing(ray, a, b, c, from, to)
+                          : findTriangleHit(ray, a, b, c, from, to);
+  });
+}
+
 }  // namespace
 
 template <class T>
@@ -78,8 +91,8 @@ const BoundingTable& faceBoundingTable() noexcept {
 
 template <class T>
 const IntersectionTable<T>& faceIntersectionTable() noexcept {
-  static constexpr IntersectionTable<T> kTable = {.findNearest = findNearestFace<T>,
-                                                  .findAny = findAnyFace<T>};
+  static constexpr IntersectionTable<T> kTable = {
+      .findNearest = findNearestFace<T>, .findAny = findAnyFace<T>, .offerHits = offerFaceHits<T>};
   return kTable;
 }
 

@@ -50,12 +50,35 @@ Weights<double> accurateWeights(const ShearedCorner<T>& a, const ShearedCorner<T
           detail::differenceOfProducts(b.x, a.y, b.y, a.x)};
 }
 
+/// The sign of the edge function from p to q, never zero unless the edge is a point: as seen not
+/// from the origin, but from the point (e, e^2) beside it, for e that tends to zero. There the
+/// function is `weight - e (q.y - p.y) + e^2 (q.x - p.x)`, so that the first of these terms that is
+/// not zero decides. It changes its sign with the direction of the edge, and compares coordinates
+/// that are the same for all triangles at a corner.
+template <class T>
+int signBesideOrigin(double weight, const ShearedCorner<T>& p, const ShearedCorner<T>& q) noexcept {
+  if (weight != 0.0)
+    return weight > 0.0 ? 1 : -1;
+  if (p.y != q.y)
+    return q.y < p.y ? 1 : -1;
+  return q.x > p.x ? 1 : q.x < p.x ? -1 : 0;
+}
+
+/// Whether the point beside the origin lies inside the projected triangle.
+template <class T>
+bool containsPointBesideOrigin(const Weights<double>& weights, const ShearedCorner<T>& a,
+                               const ShearedCorner<T>& b, const ShearedCorner<T>& c) noexcept {
+  const int side = signBesideOrigin(weights.a, c, b);
+  return side != 0 && side == signBesideOrigin(weights.b, a, c) &&
+         side == signBesideOrigin(weights.c, b, a);
+}
+
 }  // namespace
 
 template <class T>
 std::optional<TriangleIntersection<T>> intersectTriangle(const ShearedRay<T>& ray, const Vec3<T>& a,
                                                          const Vec3<T>& b, const Vec3<T>& c, T tMin,
-                                                         T tMax) noexcept {
+                                                         T tMax, EdgeRule rule) noexcept {
   const ShearedCorner<T> shearedA = shearCorner(ray, a);
   const ShearedCorner<T> shearedB = shearCorner(ray, b);
   const ShearedCorner<T> shearedC = shearCorner(ray, c);
@@ -76,6 +99,10 @@ std::optional<TriangleIntersection<T>> intersectTriangle(const ShearedRay<T>& ra
   if (sum == 0.0)
     return std::nullopt;
 
+  if (rule == EdgeRule::HalfOpen && !decided &&
+      !containsPointBesideOrigin(weights, shearedA, shearedB, shearedC))
+    return std::nullopt;
+
   const double z = weights.a * static_cast<double>(shearedA.z) +
                    weights.b * static_cast<double>(shearedB.z) +
                    weights.c * static_cast<double>(shearedC.z);
@@ -84,7 +111,8 @@ std::optional<TriangleIntersection<T>> intersectTriangle(const ShearedRay<T>& ra
   if (!(t >= tMin && t <= tMax))
     return std::nullopt;
   return TriangleIntersection<T>{t, static_cast<T>(weights.b / sum),
-                                 static_cast<T>(weights.c / sum)};
+                                 static_cast<T>(weights.c / sum),
+                                 (sum > 0.0) == (ray.ray.direction[ray.kz] > T(0))};
 }
 
 template <class T>
@@ -109,12 +137,12 @@ Vec3<T> triangleNormal(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c,
 
 template std::optional<TriangleIntersection<float>> intersectTriangle(const ShearedRay<float>&,
                                                                       const Vec3f&, const Vec3f&,
-                                                                      const Vec3f&, float,
-                                                                      float) noexcept;
+                                                                      const Vec3f&, float, float,
+                                                                      EdgeRule) noexcept;
 template std::optional<TriangleIntersection<double>> intersectTriangle(const ShearedRay<double>&,
                                                                        const Vec3d&, const Vec3d&,
-                                                                       const Vec3d&, double,
-                                                                       double) noexcept;
+                                                                       const Vec3d&, double, double,
+                                                                       EdgeRule) noexcept;
 template Vec3f triangleNormal(const Vec3f&, const Vec3f&, const Vec3f&, const Vec3f&) noexcept;
 template Vec3d triangleNormal(const Vec3d&, const Vec3d&, const Vec3d&, const Vec3d&) noexcept;
 

@@ -49,7 +49,15 @@ template <std::floating_point T>
 std::optional<Hit<T>> Triangle<T>::intersect(const Ray<T>& ray, T tMin, T tMax) const noexcept {
   if (!isFinite(*this) || hasRepeatedCorner(*this))
     return std::nullopt;
-  return detail::findTriangleHit(ray, a, b, c, tMin, tMax);
+  return detail::findTriangleHit(ShearedRay<T>(ray), a, b, c, tMin, tMax);
+}
+
+template <std::floating_point T>
+std::optional<Hit<T>> Triangle<T>::intersectCrossing(const Ray<T>& ray, T tMin,
+                                                     T tMax) const noexcept {
+  if (!isFinite(*this) || hasRepeatedCorner(*this))
+    return std::nullopt;
+  return detail::findTriangleCrossing(ShearedRay<T>(ray), a, b, c, tMin, tMax);
 }
 
 template struct Triangle<float>;

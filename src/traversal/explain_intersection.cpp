@@ -1,5 +1,6 @@
 #include <planetree/traversal/explain_intersection.hpp>
 
+#include "traversal/hit_choices.hpp"
 #include "traversal/traverse.hpp"
 #include "traversal/walk_recorder.hpp"
 
@@ -8,8 +9,9 @@
 namespace planetree {
 namespace {
 
-template <class Goal, class T>
-Walk<T> explain(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options) {
+template <class T>
+Walk<T> explain(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
+                bool stopsAtAnyHit) {
   Walk<T> walk{.ray = ray, .insideBounds = {}, .steps = {}, .hit = {}, .counts = {}};
   detail::Query<T> query(tree, ray, ray.tMin, ray.tMax);
   query.mask = options.mask;
@@ -17,11 +19,25 @@ Walk<T> explain(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& 
   if (part.isEmpty())
     return walk;
   walk.insideBounds = part;
+
   Hit<T> hit;
-  [[maybe_unused]] const bool found = detail::traverse<Goal>(
-      tree.nodes.front(), query, part, hit, detail::WalkRecorder<T>(tree.nodes, walk));
+  const auto run = [&]<class Goal>(Goal, const detail::HitChoices<T>* choices) {
+    return detail::traverse<Goal>(tree.nodes.front(), query, part, hit,
+                                  detail::WalkRecorder<T>(tree.nodes, walk, choices));
+  };
+  [[maybe_unused]] bool found = false;
+  if (detail::hasChoices(options)) {
+    const detail::HitChoices<T> choices{options, ray.direction};
+    detail::NearestSink<T> nearest(choices, query.interval.tMax, hit);
+    detail::AnySink<T> any(choices, query.interval.tMax);
+    query.sink = stopsAtAnyHit ? static_cast<detail::HitSink<T>*>(&any) : &nearest;
+    found =
+        stopsAtAnyHit ? run(detail::AnyOffer{}, &choices) : run(detail::NearestOffer{}, &choices);
+  } else {
+    found = stopsAtAnyHit ? run(detail::AnyHit{}, nullptr) : run(detail::NearestHit{}, nullptr);
+  }
   PLANETREE_ASSERT(found == walk.hit.has_value());
-  PLANETREE_ASSERT(Goal::kStopsAtAnyHit || !found || hit == *walk.hit);
+  PLANETREE_ASSERT(stopsAtAnyHit || !found || hit == *walk.hit);
   return walk;
 }
 
@@ -30,12 +46,12 @@ Walk<T> explain(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& 
 template <class T>
 Walk<T> explainIntersection(const TreeView<T>& tree, const Ray<T>& ray,
                             const QueryOptions& options) {
-  return explain<detail::NearestHit>(tree, ray, options);
+  return explain(tree, ray, options, false);
 }
 
 template <class T>
 Walk<T> explainOcclusion(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options) {
-  return explain<detail::AnyHit>(tree, ray, options);
+  return explain(tree, ray, options, true);
 }
 
 template Walk<float> explainIntersection(const TreeView<float>&, const Rayf&, const QueryOptions&);

@@ -1,5 +1,6 @@
 #include <planetree/traversal/find_intersection.hpp>
 
+#include "traversal/offer_hits.hpp"
 #include "traversal/search_wide.hpp"
 #include "traversal/traverse.hpp"
 
@@ -13,6 +14,11 @@ bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& opti
             StepCounts* steps, Hit<T>& hit) noexcept {
   detail::Query<T> query(tree, ray, ray.tMin, ray.tMax);
   query.mask = options.mask;
+  if (detail::hasChoices(options)) {
+    const detail::HitChoices<T> choices{options, ray.direction};
+    return Goal::kStopsAtAnyHit ? detail::findAnyChoice(query, choices, steps)
+                                : detail::findNearestChoice(query, choices, steps, hit);
+  }
   if constexpr (std::is_same_v<T, float>) {
     // Steps are those of the binary form.
     if (!steps) {

@@ -13,13 +13,19 @@ namespace planetree::detail {
 
 /// What the wide form of the tree says, bit for bit what `traverse` would. Nothing if there is no
 /// wide form, or if the ray's numbers are beyond its range: then the binary form has to be asked.
+/// Goals that offer hits leave `hit` alone.
 template <class Goal>
 [[nodiscard]] std::optional<bool> searchWide(const Query<float>& query, Hitf& hit,
                                              const WideKernels& kernels = wideKernels()) noexcept;
 
-extern template std::optional<bool> searchWide<NearestHit>(const Query<float>&, Hitf&,
-                                                           const WideKernels&) noexcept;
-extern template std::optional<bool> searchWide<AnyHit>(const Query<float>&, Hitf&,
+#define PLANETREE_DECLARE(Goal)                                                    \
+  extern template std::optional<bool> searchWide<Goal>(const Query<float>&, Hitf&, \
                                                        const WideKernels&) noexcept;
+PLANETREE_DECLARE(NearestHit)
+PLANETREE_DECLARE(AnyHit)
+PLANETREE_DECLARE(NearestOffer)
+PLANETREE_DECLARE(AnyOffer)
+PLANETREE_DECLARE(EveryOffer)
+#undef PLANETREE_DECLARE
 
 }  // namespace planetree::detail

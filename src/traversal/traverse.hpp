@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planetree/detail/geometry_entry.hpp>
+#include <planetree/detail/hit_sink.hpp>
 #include <planetree/detail/intersection_table.hpp>
 #include <planetree/hit/hit.hpp>
 #include <planetree/node/node.hpp>
@@ -22,11 +23,29 @@ namespace planetree::detail {
 /// Looks for the first hit in the order of `isBefore`.
 struct NearestHit {
   static constexpr bool kStopsAtAnyHit = false;
+  static constexpr bool kOffersHits = false;
 };
 
 /// Is content with any hit.
 struct AnyHit {
   static constexpr bool kStopsAtAnyHit = true;
+  static constexpr bool kOffersHits = false;
+};
+
+/// The goals of queries with choices: hits are offered to `Query::sink`, which has the best of them
+/// and the end of the search.
+struct NearestOffer {
+  static constexpr bool kStopsAtAnyHit = false;
+  static constexpr bool kOffersHits = true;
+};
+struct AnyOffer {
+  static constexpr bool kStopsAtAnyHit = true;
+  static constexpr bool kOffersHits = true;
+};
+/// The hits do not compete: what is kept hides nothing behind it.
+struct EveryOffer {
+  static constexpr bool kStopsAtAnyHit = false;
+  static constexpr bool kOffersHits = true;
 };
 
 template <class T>
@@ -81,6 +100,7 @@ struct Query {
   PreparedRay<T> ray;
   Interval<T> interval;  ///< hits count if their t lies in here
   std::uint32_t mask = QueryOptions{}.mask;
+  HitSink<T>* sink = nullptr;  ///< for goals that offer hits
 
   Query(const TreeView<T>& ofTree, const Ray<T>& r, T tMin, T tMax) noexcept
       : tree(ofTree),
@@ -97,7 +117,8 @@ struct Query {
   }
 };
 
-/// Tests the objects of a leaf, one run per geometry. Returns whether `hit` was replaced.
+/// Tests the objects of a leaf, one run per geometry. Returns whether `hit` was replaced, or the
+/// sink kept one.
 template <class Goal, class Observer, class T>
 bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
                Observer& observer) noexcept(!Observer::kMayThrow) {
@@ -120,10 +141,12 @@ bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
       continue;
 
     const auto [tMin, tMax] = query.interval;
+    const IntersectionTable<T>& table = *entry.intersecting;
+    const ShearedRay<T>& ray = query.ray.sheared;
     const LeafAnswer answer =
-        Goal::kStopsAtAnyHit
-            ? entry.intersecting->findAny(entry.range, run, query.ray.sheared, tMin, tMax)
-            : entry.intersecting->findNearest(entry.range, run, query.ray.sheared, tMin, tMax, hit);
+        Goal::kOffersHits      ? table.offerHits(entry.range, run, ray, tMin, *query.sink)
+        : Goal::kStopsAtAnyHit ? table.findAny(entry.range, run, ray, tMin, tMax)
+                               : table.findNearest(entry.range, run, ray, tMin, tMax, hit);
     observer.testObjects(query, entry, run, answer.testedCount);
     found |= answer.found;
     if (Goal::kStopsAtAnyHit && found)
@@ -173,7 +196,7 @@ bool traverse(const Node& start, const Query<T>& query, Interval<T> part, Hit<T>
       if (stackSize == 0)
         return found;
       --stackSize;
-      if (!(stack[stackSize].part.tMin > hit.t))
+      if (!(stack[stackSize].part.tMin > (Goal::kOffersHits ? query.sink->tMax : hit.t)))
         break;
       observer.leaveOut(*stack[stackSize].node, stack[stackSize].part);
     }

@@ -2,6 +2,7 @@
 
 #include <planetree/traversal/walk.hpp>
 
+#include "traversal/hit_choices.hpp"
 #include "traversal/traverse.hpp"
 
 #include <span>
@@ -15,8 +16,10 @@ class WalkRecorder {
  public:
   static constexpr bool kMayThrow = true;
 
-  /// Of a search from the root. Both must outlive the recorder.
-  WalkRecorder(std::span<const Node> nodes, Walk<T>& walk) : nodes_(nodes), walk_(walk) {}
+  /// Of a search from the root, with the choices that it makes, or null. All must outlive the
+  /// recorder.
+  WalkRecorder(std::span<const Node> nodes, Walk<T>& walk, const HitChoices<T>* choices)
+      : nodes_(nodes), walk_(walk), choices_(choices) {}
 
   void visitSplit(const Node& node, const Interval<T>& part, const ChildOrder<T>& order) {
     const NodeVisit<T> visit = arriveAt(node, part);
@@ -85,7 +88,7 @@ class WalkRecorder {
     return visitOf(node, level_, part);
   }
 
-  /// The hit of one object, whatever else was hit before.
+  /// The first hit of one object that counts, whatever else was hit before.
   [[nodiscard]] ObjectTest<T> testAlone(const Query<T>& query, const GeometryEntry<T>& entry,
                                         const LeafRun& object) {
     const auto [tMin, tMax] = query.interval;
@@ -94,8 +97,16 @@ class WalkRecorder {
                        .hit = {},
                        .isAccepted = false};
     Hit<T> hit;
-    if (entry.intersecting->findNearest(entry.range, object, query.ray.sheared, tMin, tMax, hit)
-            .found) {
+    const IntersectionTable<T>& table = *entry.intersecting;
+    const ShearedRay<T>& ray = query.ray.sheared;
+    bool found = false;
+    if (choices_ != nullptr) {
+      NearestSink<T> sink(*choices_, tMax, hit);
+      found = table.offerHits(entry.range, object, ray, tMin, sink).found;
+    } else {
+      found = table.findNearest(entry.range, object, ray, tMin, tMax, hit).found;
+    }
+    if (found) {
       test.hit = hit;
       test.isAccepted = !walk_.hit || isBefore(hit, *walk_.hit);
       if (test.isAccepted)
@@ -106,6 +117,7 @@ class WalkRecorder {
 
   std::span<const Node> nodes_;
   Walk<T>& walk_;
+  const HitChoices<T>* choices_;
   std::vector<WaitingChild> waiting_;  ///< as on the stack of the loop
   std::uint32_t level_ = 0;            ///< of the node that the loop came to last
 };

@@ -43,8 +43,10 @@ struct WideQuery {
   /// Tests the objects of a leaf of the binary form; true if that answers the query or lowers
   /// `hitT`.
   bool (*testObjects)(WideQuery& query, std::uint32_t leafIndex) noexcept = nullptr;
-  /// Whether the query sees an object; null if it sees all.
-  bool (*sees)(const WideQuery& query, std::uint32_t object) noexcept = nullptr;
+  /// Whether to take the triangle in this lane, which is hit with t in [`tMin`, `hitT`], as the
+  /// best hit; may lower `hitT` by itself if not. Null to take every one.
+  bool (*accepts)(WideQuery& query, const TriangleBlock& block,
+                  std::uint32_t lane) noexcept = nullptr;
 
   // --- the best hit so far ---
   float hitT = 0.0f;                        ///< at first the end of the interval

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planetree/detail/hit_sink.hpp>
 #include <planetree/geometry/sheared_ray.hpp>
 #include <planetree/hit/hit.hpp>
 #include <planetree/object.hpp>
@@ -36,6 +37,11 @@ struct IntersectionTable {
   /// Stops at the first object that is hit with t in [tMin, tMax].
   LeafAnswer (*findAny)(const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
                         T tMax) noexcept;
+
+  /// Offers the sink every hit of the run with t in [tMin, sink.tMax], each object's in rising
+  /// order. `found` tells whether one was kept.
+  LeafAnswer (*offerHits)(const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
+                          HitSink<T>& sink) noexcept;
 };
 
 /// The same loop over a leaf for every kind of object; `intersect(primitive, tMin, tMax)` returns
@@ -73,6 +79,30 @@ LeafAnswer findAnyInRun(const LeafRun& run, T tMin, T tMax, Intersect&& intersec
   return answer;
 }
 
+/// Asks each object again from behind its last hit, until it has no more. A shape that breaks its
+/// promise about the interval is not asked again: the loop must end.
+template <class T, class Intersect>
+LeafAnswer offerHitsInRun(const LeafRun& run, T tMin, HitSink<T>& sink,
+                          Intersect&& intersect) noexcept {
+  LeafAnswer answer;
+  for (const std::uint32_t object : run.references) {
+    if (!(tMin <= sink.tMax))
+      return answer;
+    ++answer.testedCount;
+    const std::uint32_t primitive = object - run.firstObject;
+    for (T from = tMin; from <= sink.tMax;) {
+      std::optional<Hit<T>> hit = intersect(primitive, from, sink.tMax);
+      if (!hit || !(hit->t >= from && hit->t <= sink.tMax))
+        break;
+      from = justBehind(hit->t);
+      hit->geometry = run.geometry;
+      hit->primitive = primitive;
+      answer.found |= sink.offer(*hit);
+    }
+  }
+  return answer;
+}
+
 /// The table for a range of objects: anything with `operator[]` that gives an `Object`.
 template <class Range, class T>
 inline constexpr IntersectionTable<T> kIntersectionTable = {
@@ -88,6 +118,14 @@ inline constexpr IntersectionTable<T> kIntersectionTable = {
       const Range& shapes = *static_cast<const Range*>(range);
       return findAnyInRun<T>(run, tMin, tMax, [&](std::uint32_t primitive, T from, T to) {
         return objectIntersect(shapes[primitive], ray.ray, from, to).has_value();
+      });
+    },
+    .offerHits = [](const void* range, const LeafRun& run, const ShearedRay<T>& ray, T tMin,
+                    HitSink<T>& sink) noexcept -> LeafAnswer {
+      const Range& shapes = *static_cast<const Range*>(range);
+      return offerHitsInRun<T>(run, tMin, sink, [&](std::uint32_t primitive, T from, T to) {
+        return sink.crossings ? objectIntersectCrossing(shapes[primitive], ray.ray, from, to)
+                              : objectIntersect(shapes[primitive], ray.ray, from, to);
       });
     },
 };

@@ -38,6 +38,9 @@ class Face {
   [[nodiscard]] int planarSide(Axis axis) const noexcept;
   /// Watertight; see triangle_intersection.hpp.
   [[nodiscard]] std::optional<Hit<T>> intersect(const Ray<T>& ray, T tMin, T tMax) const noexcept;
+  /// By the half-open edge rule of `QueryOptions::crossings`.
+  [[nodiscard]] std::optional<Hit<T>> intersectCrossing(const Ray<T>& ray, T tMin,
+                                                        T tMax) const noexcept;
 
  private:
   const TriangleMeshView<T>* mesh_;

@@ -21,6 +21,10 @@ class Geometry {
   [[nodiscard]] virtual Box3 bounds() const = 0;
   [[nodiscard]] virtual std::optional<Hit<T>> intersect(const Ray<T>& ray, T tMin,
                                                         T tMax) const noexcept = 0;
+  [[nodiscard]] virtual std::optional<Hit<T>> intersectCrossing(const Ray<T>& ray, T tMin,
+                                                                T tMax) const noexcept {
+    return intersect(ray, tMin, tMax);
+  }
   [[nodiscard]] virtual Box3 clippedBounds(const Box3& cell) const {
     return intersection(bounds(), cell);
   }
@@ -47,6 +51,10 @@ class GeometryOf final : public Geometry<typename S::Scalar> {
   [[nodiscard]] std::optional<Hit<T>> intersect(const Ray<T>& ray, T tMin,
                                                 T tMax) const noexcept override {
     return shape_.intersect(ray, tMin, tMax);
+  }
+  [[nodiscard]] std::optional<Hit<T>> intersectCrossing(const Ray<T>& ray, T tMin,
+                                                        T tMax) const noexcept override {
+    return objectIntersectCrossing(shape_, ray, tMin, tMax);
   }
   [[nodiscard]] Box3 clippedBounds(const Box3& cell) const override {
     return objectClippedBounds(shape_, cell);

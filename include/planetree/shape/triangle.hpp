@@ -28,6 +28,8 @@ struct Triangle {
   [[nodiscard]] Box3 clippedBounds(const Box3& cell) const noexcept;
   [[nodiscard]] int planarSide(Axis axis) const noexcept;
   [[nodiscard]] std::optional<Hit<T>> intersect(const Ray<T>& ray, T tMin, T tMax) const noexcept;
+  [[nodiscard]] std::optional<Hit<T>> intersectCrossing(const Ray<T>& ray, T tMin,
+                                                        T tMax) const noexcept;
 
   friend constexpr bool operator==(const Triangle&, const Triangle&) noexcept = default;
 };

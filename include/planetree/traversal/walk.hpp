@@ -38,8 +38,9 @@ template <class T>
 struct ObjectTest {
   std::uint32_t geometry = kNoId;
   std::uint32_t primitive = kNoId;
-  /// Where the ray first hits the object within its own [tMin, tMax]. That may be outside of the
-  /// leaf's cell, or behind a hit that is known already.
+  /// Where the ray first hits the object within its own [tMin, tMax], of the hits that the options
+  /// of the query accept. That may be outside of the leaf's cell, or behind a hit that is known
+  /// already.
   std::optional<Hit<T>> hit;
   bool isAccepted = false;  ///< whether it became the hit of the query, until a nearer one came
 };
