@@ -9,6 +9,7 @@
 #include <planetree/geometry/rounding.hpp>
 #include <planetree/geometry/vec3.hpp>
 #include <planetree/hit/hit.hpp>
+#include <planetree/hit/next_ray.hpp>
 #include <planetree/kd_tree.hpp>
 #include <planetree/mesh/face.hpp>
 #include <planetree/mesh/triangle_mesh.hpp>

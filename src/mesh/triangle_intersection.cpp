@@ -115,19 +115,62 @@ std::optional<TriangleIntersection<T>> intersectTriangle(const ShearedRay<T>& ra
                                  (sum > 0.0) == (ray.ray.direction[ray.kz] > T(0))};
 }
 
+namespace {
+
+/// The edges' cross product; the difference of two floats is exact in double, or nearly so, and far
+/// from the ends of its range.
+Vec3d crossOfEdges(const Vec3f& a, const Vec3f& b, const Vec3f& c) noexcept {
+  const auto corner = static_cast<Vec3d>(a);
+  return cross(static_cast<Vec3d>(b) - corner, static_cast<Vec3d>(c) - corner);
+}
+
+/// The vector from one point to another, and what rounding took from it, both times a power of two
+/// that makes products of such vectors safe.
+struct ExpandedEdge {
+  Vec3d value;
+  Vec3d rest;
+
+  ExpandedEdge(const Vec3d& from, const Vec3d& to) noexcept {
+    for (const Axis axis : kAxes) {
+      const detail::ExpandedDouble difference = detail::exactSum(to[axis], -from[axis]);
+      value[axis] = difference.value;
+      rest[axis] = difference.rest;
+    }
+    const double largest =
+        std::fmax(std::fabs(value.x), std::fmax(std::fabs(value.y), std::fabs(value.z)));
+    if (largest > 0.0 && std::isfinite(largest)) {
+      // Two steps: the inverse of a denormal power of two is infinite.
+      const int exponent = std::ilogb(largest);
+      for (const int part : {exponent / 2, exponent - exponent / 2}) {
+        value = value * std::ldexp(1.0, -part);
+        rest = rest * std::ldexp(1.0, -part);
+      }
+    }
+  }
+};
+
+/// For doubles in twice the precision: the rounding of a plain product hides which way a narrow
+/// triangle faces. Up to a factor.
+Vec3d crossOfEdges(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
+  const ExpandedEdge p(a, b);
+  const ExpandedEdge q(a, c);
+  const auto component = [&](Axis i, Axis j) {
+    const double ofRests = p.value[i] * q.rest[j] + p.rest[i] * q.value[j] -
+                           (p.value[j] * q.rest[i] + p.rest[j] * q.value[i]);
+    const detail::ExpandedDouble first = detail::exactProduct(p.value[i], q.value[j]);
+    const detail::ExpandedDouble second = detail::exactProduct(p.value[j], q.value[i]);
+    const detail::ExpandedDouble values = detail::exactSum(first.value, -second.value);
+    return values.value + (values.rest + ((first.rest - second.rest) + ofRests));
+  };
+  return {component(Axis::Y, Axis::Z), component(Axis::Z, Axis::X), component(Axis::X, Axis::Y)};
+}
+
+}  // namespace
+
 template <class T>
 Vec3<T> triangleNormal(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c,
                        const Vec3<T>& rayDirection) noexcept {
-  const auto corner = static_cast<Vec3d>(a);
-  Vec3d edgeB = static_cast<Vec3d>(b) - corner;
-  Vec3d edgeC = static_cast<Vec3d>(c) - corner;
-  // The product of two edges of floats is far from the ends of double; that of two tiny or huge
-  // edges of doubles may vanish or overflow.
-  if constexpr (std::is_same_v<T, double>) {
-    edgeB = normalized(edgeB);
-    edgeC = normalized(edgeC);
-  }
-  const Vec3d normal = cross(edgeB, edgeC);
+  const Vec3d normal = crossOfEdges(a, b, c);
   if (normal == Vec3d{})
     return static_cast<Vec3<T>>(normalized(-static_cast<Vec3d>(rayDirection)));
   if constexpr (std::is_same_v<T, float>)

@@ -22,6 +22,22 @@ inline constexpr float kSlackInRoundoffs<float> = 16.0f;
 template <>
 inline constexpr double kSlackInRoundoffs<double> = 32.0;
 
+namespace detail {
+
+/// Along any axis, how far a corner of the box is from the point.
+template <class T>
+[[nodiscard]] T largestDistance(const Vec3<T>& point, const Box3& box) noexcept {
+  T largest = T(0);
+  for (const Axis axis : kAxes) {
+    const T toLower = std::fabs(static_cast<T>(box.lower[axis]) - point[axis]);
+    const T toUpper = std::fabs(static_cast<T>(box.upper[axis]) - point[axis]);
+    largest = std::max({largest, toLower, toUpper});
+  }
+  return largest;
+}
+
+}  // namespace detail
+
 /// A part of a ray.
 template <class T>
 struct Interval {
@@ -55,7 +71,7 @@ struct PreparedRay {
   std::array<AxisRay<T>, 3> axes;
 
   PreparedRay(const Ray<T>& ray, const Box3& bounds) noexcept : sheared(ray) {
-    distanceSlack = kSlackInRoundoffs<T> * kRoundoff * largestDistance(ray.origin, bounds);
+    distanceSlack = kSlackInRoundoffs<T> * kRoundoff * detail::largestDistance(ray.origin, bounds);
     for (const Axis axis : kAxes) {
       const T inverse = T(1) / awayFromParallel(ray.direction[axis]);
       axes[static_cast<std::size_t>(axis)] = {.origin = ray.origin[axis],
@@ -105,16 +121,6 @@ struct PreparedRay {
 
   [[nodiscard]] T largestComponent() const noexcept {
     return std::fabs(ray().direction[sheared.kz]);
-  }
-
-  [[nodiscard]] static T largestDistance(const Vec3<T>& origin, const Box3& bounds) noexcept {
-    T largest = T(0);
-    for (const Axis axis : kAxes) {
-      const T toLower = std::fabs(static_cast<T>(bounds.lower[axis]) - origin[axis]);
-      const T toUpper = std::fabs(static_cast<T>(bounds.upper[axis]) - origin[axis]);
-      largest = std::max({largest, toLower, toUpper});
-    }
-    return largest;
   }
 
   /// A component that is zero, or so small against the largest one that the ray moves along the
