@@ -2,6 +2,7 @@
 
 #include "mesh/exact_arithmetic.hpp"
 
+#include <cmath>
 #include <type_traits>
 
 namespace planetree {

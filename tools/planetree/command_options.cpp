@@ -147,6 +147,23 @@ void addQueryOptions(CLI::App& app, QueryOptions& options) {
       ->type_name("BITS")
       ->default_str(fmt::format("{:#x}", options.mask))
       ->group("Query");
+  app.add_flag("--culls-back-faces", options.cullsBackFaces,
+               "Leave out triangles seen from behind, where their corners run clockwise")
+      ->group("Query");
+  app.add_flag("--crossings", options.crossings,
+               "Count edges and vertices so that a ray into a closed mesh hits one triangle there, "
+               "not all that meet")
+      ->group("Query");
+  app.add_option_function<std::string>(
+         "--skip",
+         [&options](const std::string& text) {
+           // A model is one geometry.
+           options.skip = {.geometry = 0,
+                           .primitive = wholeNumberFrom(0, kLargestCount - 1)({"--skip", text})};
+         },
+         "Leave out this triangle, counted from 0, such as the one that the rays start on")
+      ->type_name("TRIANGLE")
+      ->group("Query");
 }
 
 void addRayLimits(CLI::App& app, RayLimits& limits) {

@@ -42,7 +42,7 @@ struct RunOptions {
 
 /// One option for each member of `BuildOptions`, under its name.
 void addTreeOptions(CLI::App& app, TreeOptions& options);
-/// One option for each member of `QueryOptions`.
+/// One option for each member of `QueryOptions` but the filter.
 void addQueryOptions(CLI::App& app, QueryOptions& options);
 void addRayLimits(CLI::App& app, RayLimits& limits);
 /// --any and --double.

@@ -48,6 +48,8 @@ Hits, one for each ray, in their order:
                 weights of its second and third corner, (nx, ny, nz) its
                 normal. A miss has t = inf and -1 for the ids
   hit           with --any: 1 or 0, in .npy a bool
+  ray,t,...     with --all: a row for each hit, and none for a miss; the ray is
+                counted from 0
   A .npy file is an array of records with these names.
 
 Examples:
@@ -57,6 +59,8 @@ Examples:
       from NumPy and back: numpy.load("hits.npy")["t"]
   planetree trace room.ply rays.npy --any -o shadow.npy
       only whether there is a hit
+  planetree trace part.stl rays.csv --all --crossings
+      where each ray enters and leaves a closed part, edges counted once
   make-rays | planetree trace bunny.obj - --quiet | use-hits
       as a part of a pipeline
 
@@ -86,6 +90,8 @@ void refuseToReplace(const fs::path& input, std::string_view what, const fs::pat
 
 void checkOptionsAgree(const TraceCommand& command) {
   checkRayLimits(command.limits);
+  if (command.isAnyHit && command.isAllHits)
+    throw UsageError("--any and --all: a ray has one answer, or many", "Leave out one of them.");
   if (command.model == kStandardInput && command.rays == kStandardInput) {
     throw UsageError("- twice: the model and the rays cannot both be standard input",
                      "Give one of them as a file.");
@@ -116,11 +122,36 @@ void checkOutputTakes(TableFormat format, const TraceCommand& command, const Ray
     throw UsageError("standard output is a terminal, and .npy is not text",
                      "Write to a file with -o hits.npy, or give --format csv.");
   }
-  if (!rays.rayCount() && !canOverwriteStart(command.hits)) {
+  if (canOverwriteStart(command.hits))
+    return;
+  if (command.isAllHits) {
+    throw UsageError(
+        "--format npy: such a table begins with its length, which is not known before all hits are "
+        "found, and a pipe has no way back to its start",
+        "Write to a file with -o hits.npy, or give --format csv.");
+  }
+  if (!rays.rayCount()) {
     throw UsageError(
         "--format npy: such a table begins with its length, which CSV rays do not tell beforehand, "
         "and a pipe has no way back to its start",
         "Write to a file with -o hits.npy, give .npy rays, or give --format csv.");
+  }
+}
+
+RayQuery queryOf(const TraceCommand& command) noexcept {
+  return command.isAnyHit    ? RayQuery::AnyHit
+         : command.isAllHits ? RayQuery::AllHits
+                             : RayQuery::ClosestHit;
+}
+
+std::string_view queryName(RayQuery query) noexcept {
+  switch (query) {
+    case RayQuery::AnyHit:
+      return "any";
+    case RayQuery::AllHits:
+      return "all";
+    default:
+      return "closest";
   }
 }
 
@@ -143,13 +174,14 @@ Json summaryJson(const Summary& summary) {
       {"rays", command.rays.string()},
       {"hits", command.hits.string()},
       {"format", formatName(summary.format)},
-      {"query", command.isAnyHit ? "any" : "closest"},
+      {"query", queryName(queryOf(command))},
       {"precision", summary.isDouble ? "double" : "float"},
       {"mesh", summary.mesh},
       {"build", summary.build},
       {"tree", summary.tree},
       {"ray_count", summary.trace.rayCount},
       {"hit_count", summary.trace.hitCount},
+      {"row_count", summary.trace.rowCount},
       {"invalid_ray_count", summary.trace.invalidRayCount},
       {"trace_seconds", summary.traceSeconds},
   };
@@ -203,7 +235,7 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
   {
     ProgressLine progress("tracing", !talk.isQuiet());
     report = traceRays(tree, rays, hits,
-                       {.query = command.isAnyHit ? RayQuery::AnyHit : RayQuery::ClosestHit,
+                       {.query = queryOf(command),
                         .options = command.query,
                         .limits = command.limits,
                         .format = format,
@@ -256,6 +288,10 @@ CLI::App* addTraceCommand(CLI::App& app, TraceCommand& command) {
   trace.footer(kFooter);
   addTableOptions(trace, command);
   addQueryFlags(trace, command.isAnyHit, command.isDouble);
+  trace
+      .add_flag("--all", command.isAllHits,
+                "Find every hit of a ray, each once, by distance and then by number")
+      ->group("Query");
   addQueryOptions(trace, command.query);
   addRayLimits(trace, command.limits);
   addTreeOptions(trace, command.tree);

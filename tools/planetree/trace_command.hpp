@@ -16,6 +16,7 @@ struct TraceCommand {
   std::filesystem::path hits = kStandardOutput;
   std::optional<TableFormat> format;
   bool isAnyHit = false;
+  bool isAllHits = false;
   bool isDouble = false;
   QueryOptions query;
   RayLimits limits;

@@ -7,10 +7,12 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -29,16 +31,22 @@ constexpr std::size_t kBlocksPerThread = 4;
 /// Origin and direction, and nothing besides.
 constexpr std::size_t kColumnsWithoutLimits = 6;
 
+/// How many hits of a ray are asked for at once. Few rays have more, and those that do are asked
+/// again.
+constexpr std::size_t kHitsAtOnce = 64;
+
 /// A block on its way from the rays to the hits.
+template <class T>
 struct Parcel {
-  RayBlock rays;
+  RayBlock block;
+  std::vector<Ray<T>> rays;
+  std::uint64_t firstRay = 0;  ///< number of the first of them
   std::string rows;
   TraceReport report;
   /// A fault is kept until all blocks before it are written: which one is told, and what is written
   /// before, must not depend on the threads.
   std::exception_ptr fault;
 };
-using ParcelPointer = std::shared_ptr<Parcel>;
 
 template <class T>
 bool isValid(const Ray<T>& ray) noexcept {
@@ -63,30 +71,44 @@ void setLimits(std::vector<Ray<T>>& rays, const RayLimits& limits) {
   }
 }
 
-template <class T>
-void answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, const QueryOptions& options,
-            Hit<T>& hit) noexcept {
-  hit = tree.findIntersection(ray, options).value_or(Hit<T>{});
-}
+// Each of these appends the answers to a ray, and returns whether it hits anything.
 
 template <class T>
-void answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, const QueryOptions& options,
-            Occlusion& occlusion) noexcept {
-  occlusion.isHit = tree.isOccluded(ray, options);
+bool answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, std::uint64_t /*number*/,
+            const QueryOptions& options, std::vector<Hit<T>>& answers) {
+  const auto hit = tree.findIntersection(ray, options);
+  answers.push_back(hit.value_or(Hit<T>{}));
+  return hit.has_value();
 }
 
 template <class T>
-bool isHit(const Hit<T>& hit) noexcept {
-  return hit.primitive != kNoId;
+bool answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, std::uint64_t /*number*/,
+            const QueryOptions& options, std::vector<Occlusion>& answers) {
+  answers.push_back({.isHit = tree.isOccluded(ray, options)});
+  return answers.back().isHit;
 }
 
-bool isHit(const Occlusion& occlusion) noexcept {
-  return occlusion.isHit;
+template <class T>
+bool answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, std::uint64_t number,
+            const QueryOptions& options, std::vector<NumberedHit<T>>& answers) {
+  std::array<Hit<T>, kHitsAtOnce> hits;
+  FoundHits found = tree.findIntersections(ray, hits, options);
+  const bool isHit = found.count > 0;
+  while (true) {
+    for (std::size_t i = 0; i < found.count; ++i)
+      answers.push_back({.ray = number, .hit = hits[i]});
+    if (!found.hasMore)
+      return isHit;
+    const Hit<T> last = hits.back();
+    found = tree.findNextIntersections(ray, last, hits, options);
+  }
 }
 
-/// The three stages of a block, and the table that comes out.
+/// The stages of a block, and the table that comes out.
 template <class T, class Answer>
 class Tracing {
+  using ParcelPointer = std::shared_ptr<Parcel<T>>;
+
  public:
   Tracing(const KdTree<Face<T>>& tree, RayReader& rays, OutputFile& hits,
           const TraceSettings& settings)
@@ -101,6 +123,17 @@ class Tracing {
                                                                    control.stop();
                                                                  return parcel;
                                                                });
+    const auto decoding = tbb::make_filter<ParcelPointer, ParcelPointer>(
+        filter_mode::parallel, [this](ParcelPointer parcel) {
+          decodeRays(*parcel);
+          return parcel;
+        });
+    const auto numbering = tbb::make_filter<ParcelPointer, ParcelPointer>(
+        filter_mode::serial_in_order, [this](ParcelPointer parcel) {
+          parcel->firstRay = numberedCount_;
+          numberedCount_ += parcel->rays.size();
+          return parcel;
+        });
     const auto tracing = tbb::make_filter<ParcelPointer, ParcelPointer>(
         filter_mode::parallel, [this](ParcelPointer parcel) {
           trace(*parcel);
@@ -110,7 +143,7 @@ class Tracing {
         filter_mode::serial_in_order, [this](const ParcelPointer& parcel) { write(*parcel); });
 
     beginTable();
-    tbb::parallel_pipeline(mostBlocks, reading & tracing & writing);
+    tbb::parallel_pipeline(mostBlocks, reading & decoding & numbering & tracing & writing);
     if (fault_)
       std::rethrow_exception(fault_);
     endTable();
@@ -119,7 +152,8 @@ class Tracing {
 
  private:
   void beginTable() {
-    const std::optional<std::uint64_t> count = rays_.rayCount();
+    // One row for each ray, unless every hit has one.
+    const auto count = settings_.query == RayQuery::AllHits ? std::nullopt : rays_.rayCount();
     std::string header = tableHeader<Answer>(settings_.format, count.value_or(0));
     isCountMissing_ = settings_.format == TableFormat::Npy && !count;
     // Until the count is known the table must not pass for one.
@@ -131,7 +165,7 @@ class Tracing {
   void endTable() {
     if (!isCountMissing_)
       return;
-    const std::string header = tableHeader<Answer>(settings_.format, report_.rayCount);
+    const std::string header = tableHeader<Answer>(settings_.format, report_.rowCount);
     hits_.overwriteStart(std::as_bytes(std::span(header)));
   }
 
@@ -143,9 +177,9 @@ class Tracing {
       return nullptr;
     // Rays that are slow to come must not keep a fault from being told.
     const auto keepsGoing = [this] { return !isStopped_; };
-    auto parcel = std::make_shared<Parcel>();
+    auto parcel = std::make_shared<Parcel<T>>();
     try {
-      isAtEnd_ = !rays_.next(parcel->rays, keepsGoing);
+      isAtEnd_ = !rays_.next(parcel->block, keepsGoing);
       if (isAtEnd_)
         return nullptr;
       if (const auto progress = rays_.progress(); progress && settings_.reportProgress)
@@ -158,27 +192,40 @@ class Tracing {
   }
 
   /// Any number of blocks at once.
-  void trace(Parcel& parcel) const noexcept {
+  void decodeRays(Parcel<T>& parcel) const noexcept {
     if (parcel.fault)
       return;
     try {
-      std::vector<Ray<T>> rays = decode<T>(rays_, parcel.rays);
-      if (parcel.rays.columnCount == kColumnsWithoutLimits)
-        setLimits(rays, settings_.limits);
-      std::vector<Answer> answers(rays.size());
-      for (std::size_t i = 0; i < rays.size(); ++i) {
-        answer(tree_, rays[i], settings_.options, answers[i]);
-        parcel.report.hitCount += isHit(answers[i]) ? 1u : 0u;
-        parcel.report.invalidRayCount += isValid(rays[i]) ? 0u : 1u;
+      parcel.rays = decode<T>(rays_, parcel.block);
+      if (parcel.block.columnCount == kColumnsWithoutLimits)
+        setLimits(parcel.rays, settings_.limits);
+    } catch (...) {
+      parcel.fault = std::current_exception();
+    }
+  }
+
+  /// Any number of blocks at once.
+  void trace(Parcel<T>& parcel) const noexcept {
+    if (parcel.fault)
+      return;
+    try {
+      std::vector<Answer> answers;
+      answers.reserve(parcel.rays.size());
+      std::uint64_t number = parcel.firstRay;
+      for (const Ray<T>& ray : parcel.rays) {
+        const bool isHit = answer(tree_, ray, number++, settings_.options, answers);
+        parcel.report.hitCount += isHit ? 1u : 0u;
+        parcel.report.invalidRayCount += isValid(ray) ? 0u : 1u;
       }
-      parcel.report.rayCount = rays.size();
+      parcel.report.rayCount = parcel.rays.size();
+      parcel.report.rowCount = answers.size();
       appendRows<Answer>(parcel.rows, settings_.format, answers);
     } catch (...) {
       parcel.fault = std::current_exception();
     }
   }
 
-  void write(const Parcel& parcel) noexcept {
+  void write(const Parcel<T>& parcel) noexcept {
     if (isStopped_)
       return;
     try {
@@ -191,6 +238,7 @@ class Tracing {
     }
     report_.rayCount += parcel.report.rayCount;
     report_.hitCount += parcel.report.hitCount;
+    report_.rowCount += parcel.report.rowCount;
     report_.invalidRayCount += parcel.report.invalidRayCount;
   }
 
@@ -204,6 +252,7 @@ class Tracing {
   OutputFile& hits_;
   const TraceSettings& settings_;
   TraceReport report_;
+  std::uint64_t numberedCount_ = 0;  ///< rays that have got a number
   bool isAtEnd_ = false;
   bool isCountMissing_ = false;
   std::exception_ptr fault_;  ///< the first one
@@ -224,9 +273,14 @@ TraceReport traceRays(const KdTree<Face<T>>& tree, RayReader& rays, OutputFile& 
   tbb::task_arena arena(threadCount);
   const std::size_t mostBlocks = kBlocksPerThread * mostThreads;
   return arena.execute([&] {
-    return settings.query == RayQuery::AnyHit
-               ? Tracing<T, Occlusion>(tree, rays, hits, settings).run(mostBlocks)
-               : Tracing<T, Hit<T>>(tree, rays, hits, settings).run(mostBlocks);
+    switch (settings.query) {
+      case RayQuery::AnyHit:
+        return Tracing<T, Occlusion>(tree, rays, hits, settings).run(mostBlocks);
+      case RayQuery::AllHits:
+        return Tracing<T, NumberedHit<T>>(tree, rays, hits, settings).run(mostBlocks);
+      default:
+        return Tracing<T, Hit<T>>(tree, rays, hits, settings).run(mostBlocks);
+    }
   });
 }
 

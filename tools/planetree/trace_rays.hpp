@@ -17,6 +17,7 @@ namespace planetree::tool {
 enum class RayQuery : std::uint8_t {
   ClosestHit,  ///< the first hit
   AnyHit,      ///< only whether there is one
+  AllHits,     ///< every hit, a row for each
 };
 
 struct TraceSettings {
@@ -31,7 +32,8 @@ struct TraceSettings {
 
 struct TraceReport {
   std::uint64_t rayCount = 0;
-  std::uint64_t hitCount = 0;
+  std::uint64_t hitCount = 0;  ///< rays that hit something
+  std::uint64_t rowCount = 0;  ///< of the table of hits
   /// Rays that can hit nothing, because a number is not finite or the direction is zero.
   std::uint64_t invalidRayCount = 0;
   std::uint64_t byteCount = 0;  ///< of the table of hits
@@ -39,7 +41,8 @@ struct TraceReport {
 
 /// Traces all rays and writes the table of their hits, in their order. Blocks of rays are decoded,
 /// traced and turned into rows by all threads at once; the number of blocks at hand is bounded, and
-/// so is the memory. Throws `Error` for the first fault of the rays, or if writing fails.
+/// so is the memory, but for the hits of a block where all are asked for. Throws `Error` for the
+/// first fault of the rays, or if writing fails.
 ///
 /// A .npy table whose length is not known beforehand needs an output that can go back to its start.
 template <std::floating_point T>

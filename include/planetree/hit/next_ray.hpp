@@ -19,14 +19,12 @@ namespace planetree {
 ///
 /// `hit` must be a hit of `ray` on an object of a tree with these bounds (`KdTree::bounds()`); the
 /// direction is any that a ray may have, and `tMax` of the result is infinite. Within the ranges of
-/// docs/limits.md the origin lies on the wanted side of every plane that the hit can have come from
-/// and so does what the test of the new ray can hit; the bound is derived in docs/numerics.md,
-/// which also tells about double triangles too narrow to have a normal. It is some ten
-/// roundoffs of the distances involved: those from the ray's origin to the far end of the bounds,
-/// from the hit to their far end, and from zero to the hit. So the nearer the first ray began the
-/// smaller it is. What lies closer to the surface than that is not seen by the new ray. A surface
-/// that curves toward the direction, such as the inside of a sphere, is hit again where it should
-/// be, and maybe nearby.
+/// docs/limits.md a flat face is never hit again; docs/numerics.md derives the bound. The distance
+/// is some tens of roundoffs of the lengths involved: from the ray's origin to the far end of the
+/// bounds, from the hit to their far end, and from zero to the hit. So it is small if the first ray
+/// began near. What lies closer to the surface is not seen by the new ray. Where a surface curves
+/// toward the direction, as the inside of a sphere does, it is hit again where it should be, maybe
+/// nearby.
 ///
 /// Waechter and Binder, "A fast and robust method for avoiding self-intersection", Ray Tracing Gems
 /// 2019, find the point by its weights and move it by a number of ulps that was chosen by trial;

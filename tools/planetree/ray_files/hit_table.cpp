@@ -30,18 +30,28 @@ std::string csvHeader(const Hit<T>& /*of*/) {
   return "t,geometry,primitive,u,v,nx,ny,nz\n";
 }
 
-std::string npyType(const Occlusion& /*of*/) {
-  return "[('hit', '|b1')]";
+template <class T>
+std::string csvHeader(const NumberedHit<T>& of) {
+  return "ray," + csvHeader(of.hit);
+}
+
+std::string npyFields(const Occlusion& /*of*/) {
+  return "('hit', '|b1')";
 }
 
 template <class T>
-std::string npyType(const Hit<T>& /*of*/) {
+std::string npyFields(const Hit<T>& /*of*/) {
   const std::string real = fmt::format("{}f{}", kByteOrder, sizeof(T));
   const std::string id = fmt::format("{}i{}", kByteOrder, sizeof(std::int32_t));
   return fmt::format(
-      "[('t', '{0}'), ('geometry', '{1}'), ('primitive', '{1}'), ('u', '{0}'), ('v', '{0}'), "
-      "('nx', '{0}'), ('ny', '{0}'), ('nz', '{0}')]",
+      "('t', '{0}'), ('geometry', '{1}'), ('primitive', '{1}'), ('u', '{0}'), ('v', '{0}'), "
+      "('nx', '{0}'), ('ny', '{0}'), ('nz', '{0}')",
       real, id);
+}
+
+template <class T>
+std::string npyFields(const NumberedHit<T>& of) {
+  return fmt::format("('ray', '{}i{}'), {}", kByteOrder, sizeof(std::int64_t), npyFields(of.hit));
 }
 
 template <class Number>
@@ -69,6 +79,12 @@ void appendCsv(std::string& text, const Hit<T>& hit) {
   appendText(text, hit.normal.z, '\n');
 }
 
+template <class T>
+void appendCsv(std::string& text, const NumberedHit<T>& answer) {
+  appendText(text, answer.ray, ',');
+  appendCsv(text, answer.hit);
+}
+
 template <class Number>
 void appendBytes(std::string& bytes, Number number) {
   const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
@@ -91,11 +107,19 @@ void appendNpy(std::string& bytes, const Hit<T>& hit) {
   appendBytes(bytes, hit.normal.z);
 }
 
+template <class T>
+void appendNpy(std::string& bytes, const NumberedHit<T>& answer) {
+  appendBytes(bytes, static_cast<std::int64_t>(answer.ray));
+  appendNpy(bytes, answer.hit);
+}
+
 }  // namespace
 
 template <class Answer>
 std::string tableHeader(TableFormat format, std::uint64_t count) {
-  return format == TableFormat::Csv ? csvHeader(Answer{}) : makeNpyHeader(npyType(Answer{}), count);
+  return format == TableFormat::Csv
+             ? csvHeader(Answer{})
+             : makeNpyHeader(fmt::format("[{}]", npyFields(Answer{})), count);
 }
 
 template <class Answer>
@@ -111,9 +135,15 @@ void appendRows(std::string& table, TableFormat format, std::span<const Answer> 
 
 template std::string tableHeader<Hitf>(TableFormat, std::uint64_t);
 template std::string tableHeader<Hitd>(TableFormat, std::uint64_t);
+template std::string tableHeader<NumberedHit<float>>(TableFormat, std::uint64_t);
+template std::string tableHeader<NumberedHit<double>>(TableFormat, std::uint64_t);
 template std::string tableHeader<Occlusion>(TableFormat, std::uint64_t);
 template void appendRows<Hitf>(std::string&, TableFormat, std::span<const Hitf>);
 template void appendRows<Hitd>(std::string&, TableFormat, std::span<const Hitd>);
+template void appendRows<NumberedHit<float>>(std::string&, TableFormat,
+                                             std::span<const NumberedHit<float>>);
+template void appendRows<NumberedHit<double>>(std::string&, TableFormat,
+                                              std::span<const NumberedHit<double>>);
 template void appendRows<Occlusion>(std::string&, TableFormat, std::span<const Occlusion>);
 
 }  // namespace planetree::tool
