@@ -1,10 +1,13 @@
 #include "trace_test.hpp"
 
 #include "support/brute_force.hpp"
+#include "support/brute_force_hits.hpp"
 
 #include <planetree/build_tree.hpp>
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace planetree::test {
 namespace {
@@ -68,6 +71,80 @@ TEST_F(Trace, AnyTellsOnlyWhetherThereIsAHit) {
   EXPECT_NE(npy.find("[('hit', '|b1')]"), std::string::npos);
   EXPECT_NE(npy.find("'shape': (2,)"), std::string::npos);
   EXPECT_EQ(npy.substr(npy.size() - 2), std::string("\1\0", 2));
+}
+
+TEST_F(Trace, AllHasARowForEachHitAndNoneForAMiss) {
+  // The ridge of the roof is the edge of both triangles.
+  writeFile("three.csv", "5,5,5,0,0,1\n0.5,0.5,2,0,0,-1\n0.25,0.5,2,0,0,-1\n");
+  const ToolResult result = trace({"three.csv", "--all"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out,
+            "ray,t,geometry,primitive,u,v,nx,ny,nz\n"
+            "1,1.5,0,0,0.5,0,-0.4472136,0,0.8944272\n"
+            "1,1.5,0,1,0.5,0,0,-0.4472136,0.8944272\n"
+            "2,1.75,0,1,0.25,0.25,0,-0.4472136,0.8944272\n");
+  EXPECT_NE(result.err.find("traced 3 rays in float, 2 hit,"), std::string::npos) << result.err;
+}
+
+TEST_F(Trace, AllAgreesWithBruteForceInEveryFormatAndBlock) {
+  const TriangleMesh<float> mesh = randomMesh<float>(5, 120);
+  writeFile("heap.obj", objOf(mesh));
+  const auto rays = randomRays<float>(6, 9'000);
+  writeFile("many.csv", csvOf(rays));
+  writeFile("many.npy", npyOf(rays));
+  const auto tree = buildTree(mesh.view());
+  std::string expected = "ray,t,geometry,primitive,u,v,nx,ny,nz\n";
+  std::vector<Hitf> hits;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const auto found = bruteForceHits(tree, rays[i]);
+    hits.insert(hits.end(), found.begin(), found.end());
+    const std::string rows = csvOf(found);
+    for (std::size_t at = rows.find('\n') + 1; at < rows.size();) {
+      const std::size_t end = rows.find('\n', at) + 1;
+      expected += textOf(i) + ',' + rows.substr(at, end - at);
+      at = end;
+    }
+  }
+  for (const char* name : {"many.csv", "many.npy"}) {
+    EXPECT_EQ(run({"trace", "heap.obj", name, "--all", "--format", "csv", "-q"}).out, expected);
+    ASSERT_EQ(run({"trace", "heap.obj", name, "--all", "-o", "all.npy", "-q"}).status, 0);
+    const std::string npy = readFile("all.npy");
+    EXPECT_NE(npy.find("[('ray', '<i8'), ('t', '<f4'), "), std::string::npos);
+    EXPECT_NE(npy.find("'shape': (" + textOf(hits.size()) + ",)"), std::string::npos);
+    EXPECT_EQ(npy.size() % 64, (hits.size() * 40) % 64) << "whole records behind the header";
+  }
+}
+
+TEST_F(Trace, ChoicesLeaveOutHits) {
+  writeFile("one.csv", "0.5,0.5,2,0,0,-1\n");
+  const auto rowCount = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"one.csv", "--all"});
+    const std::string table = trace(options).out;
+    return std::count(table.begin(), table.end(), '\n') - 1;
+  };
+  EXPECT_EQ(rowCount({}), 2);
+  EXPECT_EQ(rowCount({"--skip", "0"}), 1);
+  EXPECT_EQ(rowCount({"--skip", "7"}), 2);
+  EXPECT_EQ(rowCount({"--crossings"}), 1);
+  EXPECT_EQ(rowCount({"--culls-back-faces"}), 2);
+  writeFile("one.csv", "0.5,0.5,-2,0,0,1\n");
+  EXPECT_EQ(rowCount({"--culls-back-faces"}), 0);
+  EXPECT_EQ(rowCount({"--crossings", "--double"}), 1);
+}
+
+TEST_F(Trace, AllAndAnyExcludeEachOther) {
+  const ToolResult result = trace({"rays.csv", "--all", "--any"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("--any and --all"), std::string::npos) << result.err;
+}
+
+TEST_F(Trace, AllAsNpyNeedsAFileToGoBackIn) {
+  writeFile("rays.npy", npyOf(randomRays<float>(7, 3)));
+  const ToolResult result = trace({"rays.npy", "--all"});
+  if (result.status == 0)
+    GTEST_SKIP() << "standard output is a file here";
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("-o hits.npy"), std::string::npos) << result.err;
 }
 
 TEST_F(Trace, TheFormatIsThatOfTheRaysUnlessTheNameOrTheOptionSaysOtherwise) {
@@ -236,6 +313,11 @@ TEST_F(Trace, JsonIsAloneOnStandardErrorBesideHitsOnStandardOutput) {
   EXPECT_EQ(json["hits"], "-");
   EXPECT_EQ(json["format"], "csv");
   EXPECT_EQ(json["query"], "any");
+  EXPECT_EQ(json["row_count"], 2);
+  const auto all = Json::parse(trace({"rays.csv", "--json", "--all"}).err);
+  EXPECT_EQ(all["query"], "all");
+  EXPECT_EQ(all["hit_count"], 1);
+  EXPECT_EQ(all["row_count"], 1);
   EXPECT_EQ(json["precision"], "double");
 }
 

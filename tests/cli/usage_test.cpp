@@ -139,6 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{{"trace", "model.obj", "-", "--mask", "-1"}, "--mask -1"},
                     Refused{{"trace", "model.obj", "-", "--mask", "0x1FFFFFFFF"}, "--mask 0x1FF"},
                     Refused{{"trace", "model.obj", "-", "--mask", "0x"}, "--mask 0x"},
+                    Refused{{"trace", "model.obj", "-", "--skip", "-1"}, "--skip -1"},
                     Refused{{"trace", "model.obj", "-", "--t-min", "nan"}, "--t-min nan"},
                     Refused{{"trace", "model.obj", "-", "--t-min", "2", "--t-max", "1"},
                             "--t-min 2: rays end at 1"},

@@ -1,5 +1,7 @@
 #include "traversal/search_wide.hpp"
 
+#include "traversal/hit_choices.hpp"
+
 #include <planetree/planetree.hpp>
 
 #include "support/hard_cases.hpp"
@@ -65,6 +67,51 @@ TEST(WideForm, AgreesBitForBitWithTheBinaryFormOnEveryInstructionSet) {
       compareForms(tree.view(), test::invalidRays<float>());
       if (HasFailure())
         return;
+    }
+  }
+}
+
+/// All hits that the options accept, by one set of kernels; nothing if they leave the ray alone.
+std::optional<std::vector<Hitf>> askForAll(const TreeView<float>& tree, const Rayf& ray,
+                                           const QueryOptions& options,
+                                           const WideKernels& kernels) {
+  std::vector<Hitf> hits(200);
+  const HitChoices<float> choices{options, ray.direction};
+  Query<float> query(tree, ray, ray.tMin, ray.tMax);
+  query.mask = options.mask;
+  ListSink<float> sink(choices, query.interval.tMax, hits);
+  query.sink = &sink;
+  Hitf unused;
+  if (!searchWide<EveryOffer>(query, unused, kernels))
+    return std::nullopt;
+  hits.resize(sink.count());
+  return hits;
+}
+
+TEST(WideForm, FindsAllHitsOnEveryInstructionSet) {
+  test::Random random(21);
+  std::vector<Sphere<float>> spheres;
+  for (int i = 0; i < 60; ++i) {
+    spheres.push_back({random.pointIn<float>({-1, -1, -1}, {1, 1, 1}),
+                       static_cast<float>(random.between(0.02, 0.2))});
+  }
+  Scene<float> scene;
+  scene.add(test::detail::soup<float>(22, 300, 0.3), {.mask = 1});
+  scene.add(std::move(spheres), {.mask = 2});
+  const auto tree = buildTree(scene);
+  const HitFilter filter([](const Hitf& hit, void*) noexcept { return (hit.primitive & 3u) != 0; });
+  const std::vector<QueryOptions> choices = {
+      {}, {.mask = 1}, {.cullsBackFaces = true}, {.crossings = true}, {.filter = filter}};
+  for (const Rayf& ray : test::hardRays(TriangleMesh<float>{}, tree.bounds(), 500, 23)) {
+    for (const QueryOptions& options : choices) {
+      StepCounts steps;
+      std::vector<Hitf> expected(200);
+      const FoundHits found = findIntersections<float>(tree.view(), ray, expected, options, &steps);
+      expected.resize(found.count);
+      for (const WideKernels& kernels : supportedWideKernels()) {
+        ASSERT_EQ(askForAll(tree.view(), ray, options, kernels).value_or(expected), expected)
+            << kernels.name << ", " << test::describeSeed();
+      }
     }
   }
 }

@@ -46,6 +46,20 @@ TEST(HitTable, CsvHasAHeaderAndALineForEachRay) {
   EXPECT_EQ(tableOf<Hitf>(TableFormat::Csv, {}), "t,geometry,primitive,u,v,nx,ny,nz\n");
 }
 
+TEST(HitTable, ANumberedHitHasTheNumberOfItsRayInFront) {
+  constexpr std::uint64_t kRay = 5'000'000'000;
+  EXPECT_EQ(tableOf<tool::NumberedHit<float>>(TableFormat::Csv, {{kRay, aHit<float>()}}),
+            "ray,t,geometry,primitive,u,v,nx,ny,nz\n"
+            "5000000000,0.1,0,4000000,0.25,0.33333334,0,-0,-1\n");
+  using Numbered = tool::NumberedHit<double>;
+  const std::string table = tableOf<Numbered>(TableFormat::Npy, {{kRay, aHit<double>()}});
+  const std::string plain = tableOf<Hitd>(TableFormat::Npy, {aHit<double>()});
+  const std::string record =
+      bytesOf<std::int64_t>({5'000'000'000}, std::endian::native) + plain.substr(plain.size() - 56);
+  EXPECT_EQ(table.substr(table.size() - 64), record);
+  EXPECT_NE(table.find("[('ray', '"), std::string::npos);
+}
+
 TEST(HitTable, NpyBytesAreThoseOfTheRecords) {
   const std::string table = tableOf<Hitf>(TableFormat::Npy, {aHit<float>(), Hitf{}});
   const std::size_t start = tool::tableHeader<Hitf>(TableFormat::Npy, 2).size();
