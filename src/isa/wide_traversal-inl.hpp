@@ -14,7 +14,9 @@
 #include "traversal/wide_query.hpp"
 
 #include <hwy/highway.h>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -63,13 +65,20 @@ HWY_INLINE std::uint32_t bitsOf(const Mask (&masks)[kVectorCount]) {
   return all;
 }
 
-/// Subtrees that were put off, the nearest on top. One vector more than can be in use: pushing
-/// always writes whole vectors.
+/// Subtrees that were put off, the nearest on top. Room for one node more than can be in use:
+/// pushing always writes whole vectors. The lowest entry ends the search.
 struct Stack {
   static constexpr std::size_t kCapacity = (kMaxTreeDepth + 1) * kLaneCount;
 
   HWY_ALIGN float tNear[kCapacity];
   HWY_ALIGN std::uint32_t children[kCapacity];
+  std::size_t size = 0;
+
+  HWY_INLINE void push(float t, WideChild child) {
+    tNear[size] = t;
+    children[size++] = child.word();
+  }
+  HWY_INLINE WideChild pop() { return WideChild::fromWord(children[--size]); }
 };
 
 /// For each mask of eight lanes, the kept ones first.
@@ -192,10 +201,45 @@ HWY_INLINE Vector keep(Tag tag, Vector vector, hn::Mask<Tag> mask) {
   }
 }
 
-/// Pushes the children whose boxes the ray meets, in any order; returns the new size of the stack.
-HWY_INLINE std::size_t pushUnordered(const WideNode& node, const BoxTest& test, Stack& stack,
-                                     std::size_t size) {
+/// Takes from the stack what begins beyond the best hit. Done once for each new hit, so that what
+/// is popped need not be looked at: few hits are found on the way to the nearest, many subtrees
+/// popped. At the same t a lower object may still win.
+HWY_INLINE void dropBeyond(float hitT, Stack& stack) {
+  const FloatTag d;
   const WordTag words;
+  std::size_t kept = 0;
+  if constexpr (kVectorCount <= 2) {
+    const Floats tMax = hn::Set(d, hitT);
+    for (std::size_t i = 0; i < stack.size; i += kLanesPerVector) {
+      const Floats tNear = hn::LoadU(d, stack.tNear + i);
+      const Words children = hn::LoadU(words, stack.children + i);
+      const Mask isUsed = hn::FirstN(d, stack.size - i);
+      const Mask isKept = hn::And(hn::Le(tNear, tMax), isUsed);
+      hn::StoreU(keep(d, tNear, isKept), d, stack.tNear + kept);
+      hn::StoreU(keep(words, children, hn::RebindMask(words, isKept)), words,
+                 stack.children + kept);
+      kept += hn::CountTrue(d, isKept);
+    }
+  } else {
+    for (std::size_t i = 0; i < stack.size; ++i) {
+      stack.tNear[kept] = stack.tNear[i];
+      stack.children[kept] = stack.children[i];
+      kept += stack.tNear[i] <= hitT ? 1u : 0u;
+    }
+  }
+  stack.size = kept;
+}
+
+/// Pushes the children whose boxes the ray meets, in any order, but for the last of them, which is
+/// returned; without any, what was on top. Not read back from the stack: what comes next then
+/// depends on the tests alone, not on what was just stored.
+HWY_INLINE WideChild pushUnordered(const WideNode& node, const BoxTest& test, Stack& stack) {
+  const WordTag words;
+  const std::uint32_t bits = findMet(test);
+  const std::uint32_t below = stack.children[stack.size - 1];
+  const std::uint32_t last =
+      childWords(node)[31u - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits | 1u)];
+  std::size_t size = stack.size;
   if constexpr (kVectorCount <= 2) {
     forEachVector([&](auto i) {
       const auto isMet = hn::RebindMask(words, hn::Le(test.tNear.vectors[i], test.tFar.vectors[i]));
@@ -204,13 +248,13 @@ HWY_INLINE std::size_t pushUnordered(const WideNode& node, const BoxTest& test, 
       size += hn::CountTrue(words, isMet);
     });
   } else {
-    const std::uint32_t bits = findMet(test);
     for (std::size_t slot = 0; slot < kLaneCount; ++slot) {
       stack.children[size] = childWords(node)[slot];
       size += bits >> slot & 1u;
     }
   }
-  return size;
+  stack.size = size - 1;
+  return WideChild::fromWord(bits != 0 ? last : below);
 }
 
 /// By how much the words of an order are shifted to unpack them.
@@ -220,8 +264,9 @@ HWY_ALIGN constexpr std::uint32_t kSlotShifts[kLaneCount] = {0,  0,  4,  4,  8, 
 /// Pushes the children whose boxes the ray meets so that the nearest comes to lie on top. The order
 /// is that of the cells, which is known beforehand: nothing is sorted, and nothing depends on how
 /// many there are, so that no branch can be mispredicted.
-HWY_INLINE std::size_t pushNearestLast(const WideNode& node, std::uint32_t octant,
-                                       const BoxTest& test, Stack& stack, std::size_t size) {
+HWY_INLINE void pushNearestLast(const WideNode& node, std::uint32_t octant, const BoxTest& test,
+                                Stack& stack) {
+  std::size_t size = stack.size;
   const FloatTag d;
   const WordTag words;
   const SlotOrder& order = node.orders[octant];
@@ -256,7 +301,7 @@ HWY_INLINE std::size_t pushNearestLast(const WideNode& node, std::uint32_t octan
       size += bits >> slot & 1u;
     }
   }
-  return size;
+  stack.size = size;
 }
 
 /// The edge functions of sixteen triangles: see triangle_intersection.hpp. Plain multiplications
@@ -269,14 +314,25 @@ class BlockRay {
         originY_(hn::Set(FloatTag(), query.originY)),
         originZ_(hn::Set(FloatTag(), query.originZ)),
         shearX_(hn::Set(FloatTag(), query.shearX)),
-        shearY_(hn::Set(FloatTag(), query.shearY)) {}
+        shearY_(hn::Set(FloatTag(), query.shearY)) {
+    // In parts of twice the largest t of a corner: nothing here over- or underflows.
+    constexpr float kBeyondAll = 2.0f;
+    const float perUnit = std::fabs(query.directionZ) / (2.0f * query.reach);
+    depthPerZ_ = hn::Set(FloatTag(), perUnit / query.directionZ);
+    least_ = hn::Set(FloatTag(), HWY_MAX(query.tMin * perUnit, -kBeyondAll));
+    greatest_ = hn::Set(FloatTag(), HWY_MIN(query.hitT * perUnit, kBeyondAll));
+  }
 
   /// The lanes whose edge functions do not have both signs: those that can be hit, and no others
-  /// but such as have a zero that only exact arithmetic decides.
+  /// but such as have a zero that only exact arithmetic decides. With `kTestsDepth`, of these most
+  /// that are hit outside the interval are left out; it has to be that which the query began with.
+  /// That pays where a candidate is likely to be the last one.
+  template <bool kTestsDepth>
   HWY_INLINE std::uint32_t findCandidates(const TriangleBlock& block) const {
     const FloatTag d;
     Lanes x;
     Lanes y;
+    Lanes depth;
     forEachVector([&](auto i) {
       const std::size_t at = i * kLanesPerVector;
       const Floats z = hn::Sub(hn::Load(d, block.positions[query_.kz] + at), originZ_);
@@ -284,6 +340,8 @@ class BlockRay {
                              hn::Mul(shearX_, z));
       y.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.ky] + at), originY_),
                              hn::Mul(shearY_, z));
+      if constexpr (kTestsDepth)
+        depth.vectors[i] = hn::Mul(z, depthPerZ_);
     });
     Mask isCandidate[kVectorCount];
     forEachVector([&](auto i) {
@@ -303,11 +361,33 @@ class BlockRay {
       const Floats least = hn::Min(hn::Min(u, v), w);
       const Floats greatest = hn::Max(hn::Max(u, v), w);
       isCandidate[i] = hn::Or(hn::Ge(least, zero), hn::Le(greatest, zero));
+      if constexpr (kTestsDepth) {
+        // Of the squares, not of the edge functions: their errors grow with these.
+        const Floats squares = hn::MulAdd(
+            ax, ax,
+            hn::MulAdd(bx, bx,
+                       hn::MulAdd(cx, cx, hn::MulAdd(ay, ay, hn::MulAdd(by, by, hn::Mul(cy, cy))))));
+        const Floats slack = hn::MulAdd(squares, hn::Set(d, kDepthSlack), hn::Set(d, kTiniest));
+        const Floats uSize = hn::Abs(u);
+        const Floats vSize = hn::Abs(v);
+        const Floats wSize = hn::Abs(w);
+        const Floats sum = hn::Add(hn::Add(uSize, vSize), wSize);
+        const Floats weighted =
+            hn::MulAdd(uSize, pick(depth, a),
+                       hn::MulAdd(vSize, pick(depth, b), hn::Mul(wSize, pick(depth, c))));
+        const Mask isBehindStart = hn::Ge(hn::Add(weighted, slack), hn::Mul(sum, least_));
+        const Mask isBeforeEnd = hn::Le(hn::Sub(weighted, slack), hn::Mul(sum, greatest_));
+        isCandidate[i] = hn::And(isCandidate[i], hn::And(isBehindStart, isBeforeEnd));
+      }
     });
     return bitsOf(isCandidate) & block.usedLanes;
   }
 
  private:
+  // docs/numerics.md, section 3.
+  static constexpr float kDepthSlack = 16.0f * 0x1p-24f;
+  static constexpr float kTiniest = 0x1p-120f;
+
   static HWY_INLINE Words cornersOf(const TriangleBlock& block, std::size_t corner,
                                     std::size_t vector) {
     const hn::Rebind<std::uint8_t, WordTag> bytes;
@@ -318,6 +398,7 @@ class BlockRay {
   const WideQuery& query_;
   Floats originX_, originY_, originZ_;
   Floats shearX_, shearY_;
+  Floats depthPerZ_, least_, greatest_;
 };
 
 struct ShearedCorner {
@@ -378,7 +459,7 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   const TriangleBlock* block = query.blocks + child.firstBlock();
   bool found = false;
   for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
-    std::uint32_t candidates = ray.findCandidates(*block);
+    std::uint32_t candidates = ray.findCandidates<kStopsAtAnyHit>(*block);
     while (candidates != 0) {
       const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));
       candidates &= candidates - 1;
@@ -395,67 +476,57 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   return found;
 }
 
-/// How far a query has come.
-struct Progress {
-  Stack stack;
-  std::size_t size = 1;  ///< of the stack
-  bool found = false;
-
-  /// Takes the next subtree from the stack that may hold a hit before the best one; at the same t
-  /// a lower object may still win. False if there is none.
-  template <bool kStopsAtAnyHit>
-  HWY_INLINE bool pop(float hitT, WideChild& child) {
-    do {
-      if (size == 0)
-        return false;
-      --size;
-    } while (!kStopsAtAnyHit && stack.tNear[size] > hitT);
-    child = WideChild::fromWord(stack.children[size]);
-    return true;
-  }
-};
-
-/// Goes on until the query is answered, then returns false, or until the next thing to do is to
-/// test the objects of `child`. Calls nothing, so that the ray can stay in registers.
+/// Goes on until the next thing to do is to test the objects of a leaf, which is returned; or until
+/// the query is answered, then returns `end`. Calls nothing, so that the ray can stay in registers.
 template <bool kStopsAtAnyHit>
-HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& child) {
+HWY_INLINE WideChild goToObjects(WideQuery& query, Stack& stack, bool& found) {
   const WideRay boxRay(query);
   const BlockRay blockRay(query);
   Floats tMax = hn::Set(FloatTag(), query.hitT);
-  while (progress.pop<kStopsAtAnyHit>(query.hitT, child)) {
+  WideChild child = stack.pop();
+  while (true) {
     if (child.isNode()) {
       const WideNode& node = query.nodes[child.nodeIndex()];
       BoxTest test;
       boxRay.test(node, tMax, test);
-      progress.size =
-          kStopsAtAnyHit ? pushUnordered(node, test, progress.stack, progress.size)
-                         : pushNearestLast(node, query.octant, test, progress.stack, progress.size);
+      if constexpr (kStopsAtAnyHit) {
+        child = pushUnordered(node, test, stack);
+        continue;
+      }
+      pushNearestLast(node, query.octant, test, stack);
     } else if (child.holdsObjects()) {
-      return true;
-    } else if (testBlocks<kStopsAtAnyHit>(query, blockRay, child)) {
-      progress.found = true;
-      if (kStopsAtAnyHit)
-        return false;
-      tMax = hn::Set(FloatTag(), query.hitT);
+      return child;
+    } else {
+      const float end = query.hitT;
+      found |= testBlocks<kStopsAtAnyHit>(query, blockRay, child);
+      if (kStopsAtAnyHit && found)
+        return WideChild::end();
+      if (query.hitT < end) {
+        tMax = hn::Set(FloatTag(), query.hitT);
+        dropBeyond(query.hitT, stack);
+      }
     }
+    child = stack.pop();
   }
-  return false;
 }
 
 template <bool kStopsAtAnyHit>
 HWY_INLINE bool traverse(WideQuery& query) {
-  Progress progress;
-  progress.stack.tNear[0] = query.tMin;
-  progress.stack.children[0] = query.root.word();
-  WideChild child;
-  while (goToObjects<kStopsAtAnyHit>(query, progress, child)) {
-    if (query.testObjects(query, child.leafIndex())) {
-      progress.found = true;
-      if (kStopsAtAnyHit)
-        return true;
-    }
+  Stack stack;
+  stack.push(-std::numeric_limits<float>::infinity(), WideChild::end());
+  stack.push(query.tMin, query.root);
+  bool found = false;
+  while (true) {
+    const WideChild child = goToObjects<kStopsAtAnyHit>(query, stack, found);
+    if (child.isEnd())
+      return found;
+    const float end = query.hitT;
+    found |= query.testObjects(query, child.leafIndex());
+    if (kStopsAtAnyHit && found)
+      return true;
+    if (query.hitT < end)
+      dropBeyond(query.hitT, stack);
   }
-  return progress.found;
 }
 
 inline bool findNearest(WideQuery& query) noexcept {

@@ -16,8 +16,9 @@ struct alignas(64) TriangleBlock {
 
   float positions[3][kPositionCount];        ///< by axis
   std::uint8_t corners[3][kLaneCount];       ///< of a triangle: which positions
-  std::array<std::uint32_t, kLaneCount> objects;  ///< the tree's numbers of the triangles
   std::uint32_t usedLanes;                        ///< bit i: lane i holds a triangle
+  /// The tree's numbers of the triangles. In a cache line of their own, which is read for hits only.
+  alignas(64) std::array<std::uint32_t, kLaneCount> objects;
 
   [[nodiscard]] Vec3f corner(std::size_t lane, std::size_t which) const noexcept {
     const std::size_t i = corners[which][lane];

@@ -20,7 +20,7 @@ class WideChild {
   static constexpr std::uint32_t kMaxNodeIndex = 0x7FFF'FFFFu;
   static constexpr std::uint32_t kMaxBlockIndex = 0x07FF'FFFFu;
   static constexpr std::uint32_t kMaxBlockCount = 8;
-  static constexpr std::uint32_t kMaxLeafIndex = 0x3FFF'FFFFu;
+  static constexpr std::uint32_t kMaxLeafIndex = 0x3FFF'FFFEu;
 
   constexpr WideChild() = default;
 
@@ -37,6 +37,9 @@ class WideChild {
     return WideChild(kLeafBit | kObjectsBit | leafIndex);
   }
 
+  /// Nothing: the end of a search.
+  [[nodiscard]] static constexpr WideChild end() noexcept { return objects(kMaxLeafIndex + 1); }
+
   [[nodiscard]] static constexpr WideChild fromWord(std::uint32_t word) noexcept {
     return WideChild(word);
   }
@@ -45,6 +48,7 @@ class WideChild {
 
   [[nodiscard]] constexpr bool isNode() const noexcept { return (word_ & kLeafBit) == 0; }
   [[nodiscard]] constexpr bool holdsObjects() const noexcept { return (word_ & kObjectsBit) != 0; }
+  [[nodiscard]] constexpr bool isEnd() const noexcept { return word_ == end().word_; }
   [[nodiscard]] constexpr std::uint32_t nodeIndex() const noexcept { return word_; }
   [[nodiscard]] constexpr std::uint32_t firstBlock() const noexcept {
     return (word_ & ~(kLeafBit | kObjectsBit)) >> 3;

@@ -12,20 +12,21 @@ namespace {
 template <class Goal, class T>
 bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
             StepCounts* steps, Hit<T>& hit) noexcept {
-  detail::Query<T> query(tree, ray, ray.tMin, ray.tMax);
-  query.mask = options.mask;
+  detail::Request<T> request(tree, ray, ray.tMin, ray.tMax);
+  request.mask = options.mask;
   if (detail::hasChoices(options)) {
     const detail::HitChoices<T> choices{options, ray.direction};
-    return Goal::kStopsAtAnyHit ? detail::findAnyChoice(query, choices, steps)
-                                : detail::findNearestChoice(query, choices, steps, hit);
+    return Goal::kStopsAtAnyHit ? detail::findAnyChoice(request, choices, steps)
+                                : detail::findNearestChoice(request, choices, steps, hit);
   }
   if constexpr (std::is_same_v<T, float>) {
     // Steps are those of the binary form.
     if (!steps) {
-      if (const std::optional<bool> found = detail::searchWide<Goal>(query, hit))
+      if (const std::optional<bool> found = detail::searchWide<Goal>(request, hit))
         return *found;
     }
   }
+  const detail::Query<T> query(request);
   const Node& root = tree.nodes.front();
   const Interval<T> part = query.partInsideTree();
   return steps ? detail::traverse<Goal>(root, query, part, hit, detail::Counting(*steps))

@@ -5,15 +5,15 @@
 namespace planetree {
 namespace {
 
-/// The query behind a hit, and what tells it from the hits at the same t before it.
+/// The request for what is behind a hit, and what tells it from the hits at the same t before it.
 template <class T>
 struct QueryBehind {
-  detail::Query<T> query;
+  detail::Request<T> request;
   detail::HitChoices<T> choices;
 
   QueryBehind(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options) noexcept
-      : query(tree, ray, ray.tMin, ray.tMax), choices{options, ray.direction} {
-    query.mask = options.mask;
+      : request(tree, ray, ray.tMin, ray.tMax), choices{options, ray.direction} {
+    request.mask = options.mask;
   }
   QueryBehind(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
               const Hit<T>& after) noexcept
@@ -21,15 +21,15 @@ struct QueryBehind {
     choices.after = after;
     // A NaN stays, on either side.
     if (!(after.t <= ray.tMin) && ray.tMin == ray.tMin)
-      query.interval.tMin = after.t;
+      request.interval.tMin = after.t;
   }
 };
 
 template <class T>
 FoundHits fill(QueryBehind<T>& behind, std::span<Hit<T>> hits, StepCounts* steps) noexcept {
-  detail::ListSink<T> sink(behind.choices, behind.query.interval.tMax, hits);
-  behind.query.sink = &sink;
-  detail::offerHits<detail::EveryOffer>(behind.query, steps);
+  detail::ListSink<T> sink(behind.choices, behind.request.interval.tMax, hits);
+  behind.request.sink = &sink;
+  detail::offerHits<detail::EveryOffer>(behind.request, steps);
   return {.count = sink.count(), .hasMore = sink.hasMore()};
 }
 
@@ -56,7 +56,7 @@ std::optional<Hit<T>> findNextIntersection(const TreeView<T>& tree, const Ray<T>
                                            StepCounts* steps) noexcept {
   QueryBehind<T> behind(tree, ray, options, after);
   Hit<T> hit;
-  if (!detail::findNearestChoice(behind.query, behind.choices, steps, hit))
+  if (!detail::findNearestChoice(behind.request, behind.choices, steps, hit))
     return std::nullopt;
   return hit;
 }

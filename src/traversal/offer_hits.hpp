@@ -8,39 +8,40 @@
 
 namespace planetree::detail {
 
-/// Offers the hits of the query to its sink, through the form of the tree that is fastest. `Goal`
+/// Offers the hits of the request to its sink, through the form of the tree that is fastest. `Goal`
 /// is `NearestOffer`, `AnyOffer` or `EveryOffer`, as fits the sink. Returns whether one was kept.
 template <class Goal, class T>
-bool offerHits(const Query<T>& query, StepCounts* steps) noexcept {
+bool offerHits(const Request<T>& request, StepCounts* steps) noexcept {
   Hit<T> unused;
   if constexpr (std::is_same_v<T, float>) {
     // Steps are those of the binary form.
     if (!steps) {
-      if (const std::optional<bool> found = searchWide<Goal>(query, unused))
+      if (const std::optional<bool> found = searchWide<Goal>(request, unused))
         return *found;
     }
   }
+  const Query<T> query(request);
   const Node& root = query.tree.nodes.front();
   const Interval<T> part = query.partInsideTree();
   return steps ? traverse<Goal>(root, query, part, unused, Counting(*steps))
                : traverse<Goal>(root, query, part, unused, Unobserved{});
 }
 
-/// The nearest hit that counts, into `hit`. Its interval is that of the query.
+/// The nearest hit that counts, into `hit`. Its interval is that of the request.
 template <class T>
-bool findNearestChoice(Query<T>& query, const HitChoices<T>& choices, StepCounts* steps,
+bool findNearestChoice(Request<T>& request, const HitChoices<T>& choices, StepCounts* steps,
                        Hit<T>& hit) noexcept {
-  NearestSink<T> sink(choices, query.interval.tMax, hit);
-  query.sink = &sink;
-  return offerHits<NearestOffer>(query, steps);
+  NearestSink<T> sink(choices, request.interval.tMax, hit);
+  request.sink = &sink;
+  return offerHits<NearestOffer>(request, steps);
 }
 
 /// Whether any hit counts.
 template <class T>
-bool findAnyChoice(Query<T>& query, const HitChoices<T>& choices, StepCounts* steps) noexcept {
-  AnySink<T> sink(choices, query.interval.tMax);
-  query.sink = &sink;
-  return offerHits<AnyOffer>(query, steps);
+bool findAnyChoice(Request<T>& request, const HitChoices<T>& choices, StepCounts* steps) noexcept {
+  AnySink<T> sink(choices, request.interval.tMax);
+  request.sink = &sink;
+  return offerHits<AnyOffer>(request, steps);
 }
 
 }  // namespace planetree::detail

@@ -13,12 +13,12 @@ namespace {
 
 /// A query of the wide form that can also reach what is not in its blocks.
 struct WideSearch : WideQuery {
-  explicit WideSearch(const Query<float>& asked) noexcept : query(asked) {
-    nodes = query.tree.wide->nodes.data();
-    blocks = query.tree.wide->blocks.data();
-    root = query.tree.wide->root;
-    tMin = query.interval.tMin;
-    hitT = query.interval.tMax;
+  explicit WideSearch(const Request<float>& of) noexcept : request(of), tree(of.tree) {
+    nodes = tree.wide->nodes.data();
+    blocks = tree.wide->blocks.data();
+    root = tree.wide->root;
+    tMin = request.interval.tMin;
+    hitT = request.interval.tMax;
   }
 
   /// Sets what the goal asks of each triangle that is hit.
@@ -31,7 +31,7 @@ struct WideSearch : WideQuery {
     } else if (!seesAll()) {
       accepts = [](WideQuery& wide, const TriangleBlock& block, std::uint32_t lane) noexcept {
         const auto& search = static_cast<const WideSearch&>(wide);
-        return search.sees(geometryOf(search.query.tree.geometries, block.objects[lane]));
+        return search.sees(geometryOf(search.tree.geometries, block.objects[lane]));
       };
     }
   }
@@ -45,7 +45,7 @@ struct WideSearch : WideQuery {
     hit.u = static_cast<float>(hitWeights[1] / sum);
     hit.v = static_cast<float>(hitWeights[2] / sum);
     hit.normal = triangleNormal(hitBlock->corner(hitLane, 0), hitBlock->corner(hitLane, 1),
-                                hitBlock->corner(hitLane, 2), query.ray.ray().direction);
+                                hitBlock->corner(hitLane, 2), request.asked.direction);
     return hit;
   }
 
@@ -57,36 +57,36 @@ struct WideSearch : WideQuery {
     if (hitBlock != nullptr)
       objectHit = unfinishedHit();
     Unobserved unobserved;
-    const LeafNode& leaf = query.tree.nodes[leafIndex].leaf();
-    if (!visitLeaf<Goal>(leaf, query, objectHit, unobserved))
+    const LeafNode& leaf = tree.nodes[leafIndex].leaf();
+    if (!visitLeaf<Goal>(leaf, query(), objectHit, unobserved))
       return false;
     if (Goal::kStopsAtAnyHit)
       return true;
     hitT = objectHit.t;
-    hitObject = query.tree.geometries[objectHit.geometry].firstObject + objectHit.primitive;
+    hitObject = tree.geometries[objectHit.geometry].firstObject + objectHit.primitive;
     hitBlock = nullptr;
     return true;
   }
 
  private:
   [[nodiscard]] bool sees(std::uint32_t geometry) const noexcept {
-    return (query.tree.geometries[geometry].mask & query.mask) != 0;
+    return (tree.geometries[geometry].mask & request.mask) != 0;
   }
 
   /// The sink knows the hits, the kernel only where they end; hence it must not take those that do
   /// not compete.
   template <class Goal>
   [[nodiscard]] bool offer(const TriangleBlock& block, std::uint32_t lane) noexcept {
-    const auto geometries = query.tree.geometries;
+    const auto geometries = tree.geometries;
     const std::uint32_t object = block.objects[lane];
     const std::uint32_t geometry = geometryOf(geometries, object);
     if (!sees(geometry))
       return false;
-    const ShearedRay<float>& ray = query.ray.sheared;
+    const ShearedRay<float>& ray = query().ray.sheared;
     const Vec3f a = block.corner(lane, 0);
     const Vec3f b = block.corner(lane, 1);
     const Vec3f c = block.corner(lane, 2);
-    HitSink<float>& sink = *query.sink;
+    HitSink<float>& sink = *request.sink;
     std::optional<Hitf> hit = sink.crossings ? findTriangleCrossing(ray, a, b, c, tMin, sink.tMax)
                                              : findTriangleHit(ray, a, b, c, tMin, sink.tMax);
     if (!hit)
@@ -103,16 +103,16 @@ struct WideSearch : WideQuery {
     Hitf unused;
     Unobserved unobserved;
     const bool isKept =
-        visitLeaf<Goal>(query.tree.nodes[leafIndex].leaf(), query, unused, unobserved);
-    hitT = query.sink->tMax;
+        visitLeaf<Goal>(tree.nodes[leafIndex].leaf(), query(), unused, unobserved);
+    hitT = request.sink->tMax;
     // A triangle at the same t must not be turned away for its number: the sink compares keys.
     hitObject = kNoId;
     return isKept;
   }
 
   [[nodiscard]] bool seesAll() const noexcept {
-    for (const GeometryEntry<float>& geometry : query.tree.geometries) {
-      if ((geometry.mask & query.mask) == 0)
+    for (const GeometryEntry<float>& geometry : tree.geometries) {
+      if ((geometry.mask & request.mask) == 0)
         return false;
     }
     return true;
@@ -120,7 +120,7 @@ struct WideSearch : WideQuery {
 
   /// t and the ids of the best hit, which is on a triangle of a block.
   [[nodiscard]] Hitf unfinishedHit() const noexcept {
-    const auto geometries = query.tree.geometries;
+    const auto geometries = tree.geometries;
     Hitf hit;
     hit.t = hitT;
     hit.geometry = geometryOf(geometries, hitObject);
@@ -128,21 +128,31 @@ struct WideSearch : WideQuery {
     return hit;
   }
 
-  const Query<float>& query;
+  /// The ray as single objects see it, made when the first of them asks.
+  [[nodiscard]] const Query<float>& query() noexcept {
+    if (!query_)
+      query_.emplace(request);
+    return *query_;
+  }
+
+  const Request<float>& request;
+  const TreeView<float>& tree;
+  std::optional<Query<float>> query_;
   Hitf objectHit;  ///< the best hit on anything but a triangle of a block
 };
 
 }  // namespace
 
 template <class Goal>
-std::optional<bool> searchWide(const Query<float>& query, Hitf& hit,
+std::optional<bool> searchWide(const Request<float>& request, Hitf& hit,
                                const WideKernels& kernels) noexcept {
-  if (query.tree.wide == nullptr)
+  const WideTree* const form = request.tree.wide;
+  if (form == nullptr)
     return std::nullopt;
-  if (!query.ray.isValid() || query.tree.bounds.isEmpty())
+  if (request.tree.bounds.isEmpty())
     return false;
-  WideSearch search(query);
-  if (!search.prepare(query.ray, query.tree.wide->center))
+  WideSearch search(request);
+  if (!search.prepare(request.asked, request.tree.bounds, form->center))
     return std::nullopt;
   search.setAcceptance<Goal>();
   search.testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
@@ -159,7 +169,7 @@ std::optional<bool> searchWide(const Query<float>& query, Hitf& hit,
 }
 
 #define PLANETREE_INSTANTIATE(Goal)                                         \
-  template std::optional<bool> searchWide<Goal>(const Query<float>&, Hitf&, \
+  template std::optional<bool> searchWide<Goal>(const Request<float>&, Hitf&, \
                                                 const WideKernels&) noexcept;
 PLANETREE_INSTANTIATE(NearestHit)
 PLANETREE_INSTANTIATE(AnyHit)

@@ -15,11 +15,11 @@ namespace planetree::detail {
 /// wide form, or if the ray's numbers are beyond its range: then the binary form has to be asked.
 /// Goals that offer hits leave `hit` alone.
 template <class Goal>
-[[nodiscard]] std::optional<bool> searchWide(const Query<float>& query, Hitf& hit,
+[[nodiscard]] std::optional<bool> searchWide(const Request<float>& request, Hitf& hit,
                                              const WideKernels& kernels = wideKernels()) noexcept;
 
 #define PLANETREE_DECLARE(Goal)                                                    \
-  extern template std::optional<bool> searchWide<Goal>(const Query<float>&, Hitf&, \
+  extern template std::optional<bool> searchWide<Goal>(const Request<float>&, Hitf&, \
                                                        const WideKernels&) noexcept;
 PLANETREE_DECLARE(NearestHit)
 PLANETREE_DECLARE(AnyHit)

@@ -91,22 +91,36 @@ struct Counting : Unobserved {
   }
 };
 
-/// A ray on its way through one tree.
+/// What is asked of a tree.
 template <class T>
-struct Query {
+struct Request {
   static constexpr T kLargest = std::numeric_limits<T>::max();
 
   const TreeView<T>& tree;
-  PreparedRay<T> ray;
+  const Ray<T>& asked;
   Interval<T> interval;  ///< hits count if their t lies in here
   std::uint32_t mask = QueryOptions{}.mask;
   HitSink<T>* sink = nullptr;  ///< for goals that offer hits
 
-  Query(const TreeView<T>& ofTree, const Ray<T>& r, T tMin, T tMax) noexcept
+  Request(const TreeView<T>& ofTree, const Ray<T>& r, T tMin, T tMax) noexcept
       : tree(ofTree),
-        ray(r, ofTree.bounds),
+        asked(r),
         // A hit at infinity could not be told from a miss. A NaN stays.
         interval{tMin, tMax > kLargest ? kLargest : tMax} {}
+};
+
+/// A ray on its way through the binary form of a tree.
+template <class T>
+struct Query : Request<T> {
+  using Request<T>::tree;
+  using Request<T>::interval;
+
+  PreparedRay<T> ray;
+
+  explicit Query(const Request<T>& request) noexcept
+      : Request<T>(request), ray(request.asked, request.tree.bounds) {}
+  Query(const TreeView<T>& ofTree, const Ray<T>& r, T tMin, T tMax) noexcept
+      : Query(Request<T>(ofTree, r, tMin, tMax)) {}
 
   /// The part of the interval in which the ray may be inside the tree. Clipping comes first:
   /// without it a ray along an axis with infinite tMax would walk through empty cells.

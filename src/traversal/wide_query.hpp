@@ -1,6 +1,7 @@
 #pragma once
 
-#include <planetree/traversal/prepared_ray.hpp>
+#include <planetree/geometry/box3.hpp>
+#include <planetree/geometry/ray.hpp>
 
 #include "node/wide_node.hpp"
 
@@ -12,9 +13,10 @@ namespace planetree::detail {
 /// A ray on its way through the wide form of a tree: all that a kernel reads, and what it found.
 /// Plain numbers and functions only, so that kernels share no code with the rest of the library.
 struct WideQuery {
-  /// Fills in the ray; `center` is that of the wide tree. False if the numbers of the ray are so
-  /// large or small that the tests of boxes could over- or underflow.
-  [[nodiscard]] bool prepare(const PreparedRay<float>& ray, const Vec3f& center) noexcept;
+  /// Fills in the ray; `center` is that of the wide tree, whose bounds must not be empty. False if
+  /// the numbers of the ray are so large or small that the tests of boxes could over- or underflow,
+  /// or are no numbers.
+  [[nodiscard]] bool prepare(const Rayf& ray, const Box3& bounds, const Vec3f& center) noexcept;
 
   // --- the tree ---
   const WideNode* nodes = nullptr;
@@ -34,10 +36,12 @@ struct WideQuery {
   float tMin = 0.0f;
 
   // --- the ray as the boxes see it: t = plane * inverse + offset ---
-  float inverse[3] = {};
-  float nearOffset[3] = {};  ///< less the slack, so that t is never too late
-  float farOffset[3] = {};   ///< plus the slack, so that t is never too early
-  std::uint32_t octant = 0;  ///< bit a: the direction is negative along axis a
+  // One number more than there are axes: four are computed as fast as three.
+  alignas(16) float inverse[4] = {};
+  alignas(16) float nearOffset[4] = {};  ///< less the slack, so that t is never too late
+  alignas(16) float farOffset[4] = {};   ///< plus the slack, so that t is never too early
+  std::uint32_t octant = 0;              ///< bit a: the direction is negative along axis a
+  float reach = 0.0f;  ///< the largest distance, along an axis, from the origin to a corner
 
   // --- objects that are not in blocks ---
   /// Tests the objects of a leaf of the binary form; true if that answers the query or lowers

@@ -35,12 +35,11 @@ namespace planetree {
 template <class T>
 [[nodiscard]] Ray<T> nextRay(const Ray<T>& ray, const Hit<T>& hit, const Vec3<T>& direction,
                              const Box3& bounds) noexcept {
-  constexpr T kRoundoff = std::numeric_limits<T>::epsilon() / T(2);
   // Of the point: that of t and direction, and of the two sums that the new origin comes from.
   constexpr T kRoundingsOfPoint = T(4);
   const Vec3<T> point = ray.at(hit.t);
   const T largest = std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)});
-  const T error = kRoundoff * (kSlackInRoundoffs<T> * (detail::largestDistance(ray.origin, bounds) +
+  const T error = detail::kRoundoff<T> * (kSlackInRoundoffs<T> * (detail::largestDistance(ray.origin, bounds) +
                                                        detail::largestDistance(point, bounds)) +
                                kRoundingsOfPoint * largest);
   // Moving by this much along the normal leaves the box of the error behind, whatever its corner.

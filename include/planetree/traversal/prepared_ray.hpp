@@ -24,6 +24,15 @@ inline constexpr double kSlackInRoundoffs<double> = 32.0;
 
 namespace detail {
 
+template <class T>
+inline constexpr T kRoundoff = std::numeric_limits<T>::epsilon() / T(2);
+
+/// A component of a direction that is smaller than this part of the largest one counts as parallel
+/// to the planes across its axis.
+template <class T>
+inline constexpr T kNearParallel = kRoundoff<T> * T(0x1p-16);
+
+
 /// Along any axis, how far a corner of the box is from the point.
 template <class T>
 [[nodiscard]] T largestDistance(const Vec3<T>& point, const Box3& box) noexcept {
@@ -71,7 +80,7 @@ struct PreparedRay {
   std::array<AxisRay<T>, 3> axes;
 
   PreparedRay(const Ray<T>& ray, const Box3& bounds) noexcept : sheared(ray) {
-    distanceSlack = kSlackInRoundoffs<T> * kRoundoff * detail::largestDistance(ray.origin, bounds);
+    distanceSlack = kSlackInRoundoffs<T> * detail::kRoundoff<T> * detail::largestDistance(ray.origin, bounds);
     for (const Axis axis : kAxes) {
       const T inverse = T(1) / awayFromParallel(ray.direction[axis]);
       axes[static_cast<std::size_t>(axis)] = {.origin = ray.origin[axis],
@@ -95,7 +104,7 @@ struct PreparedRay {
 
   /// Whether the ray runs so nearly along the planes across the axis that they all look parallel.
   [[nodiscard]] bool isNearlyParallel(Axis axis) const noexcept {
-    return !(std::fabs(ray().direction[axis]) >= largestComponent() * kNearParallel);
+    return !(std::fabs(ray().direction[axis]) >= largestComponent() * detail::kNearParallel<T>);
   }
 
   /// The part of the interval in which the ray may be inside the box; a little too long, never too
@@ -116,9 +125,6 @@ struct PreparedRay {
   }
 
  private:
-  static constexpr T kRoundoff = std::numeric_limits<T>::epsilon() / T(2);
-  static constexpr T kNearParallel = kRoundoff * T(0x1p-16);
-
   [[nodiscard]] T largestComponent() const noexcept {
     return std::fabs(ray().direction[sheared.kz]);
   }
@@ -128,7 +134,7 @@ struct PreparedRay {
   /// same sign. Then no quotient is infinite or NaN, a ray that runs beside a plane meets it far
   /// outside every interval, and one within the slack of the plane visits both sides.
   [[nodiscard]] T awayFromParallel(T component) const noexcept {
-    const T smallest = largestComponent() * kNearParallel;
+    const T smallest = largestComponent() * detail::kNearParallel<T>;
     return std::fabs(component) >= smallest ? component : std::copysign(smallest, component);
   }
 };
