@@ -11,6 +11,7 @@
 
 #include <planetree/node/node_layout.hpp>
 
+#include "isa/wide_kernels.hpp"
 #include "traversal/wide_query.hpp"
 
 #include <hwy/highway.h>
@@ -72,13 +73,6 @@ struct Stack {
 
   HWY_ALIGN float tNear[kCapacity];
   HWY_ALIGN std::uint32_t children[kCapacity];
-  std::size_t size = 0;
-
-  HWY_INLINE void push(float t, WideChild child) {
-    tNear[size] = t;
-    children[size++] = child.word();
-  }
-  HWY_INLINE WideChild pop() { return WideChild::fromWord(children[--size]); }
 };
 
 /// For each mask of eight lanes, the kept ones first.
@@ -203,17 +197,17 @@ HWY_INLINE Vector keep(Tag tag, Vector vector, hn::Mask<Tag> mask) {
 
 /// Takes from the stack what begins beyond the best hit. Done once for each new hit, so that what
 /// is popped need not be looked at: few hits are found on the way to the nearest, many subtrees
-/// popped. At the same t a lower object may still win.
-HWY_INLINE void dropBeyond(float hitT, Stack& stack) {
+/// popped. At the same t a lower object may still win. Returns the new size of the stack.
+HWY_INLINE std::size_t dropBeyond(float hitT, Stack& stack, std::size_t size) {
   const FloatTag d;
   const WordTag words;
   std::size_t kept = 0;
   if constexpr (kVectorCount <= 2) {
     const Floats tMax = hn::Set(d, hitT);
-    for (std::size_t i = 0; i < stack.size; i += kLanesPerVector) {
+    for (std::size_t i = 0; i < size; i += kLanesPerVector) {
       const Floats tNear = hn::LoadU(d, stack.tNear + i);
       const Words children = hn::LoadU(words, stack.children + i);
-      const Mask isUsed = hn::FirstN(d, stack.size - i);
+      const Mask isUsed = hn::FirstN(d, size - i);
       const Mask isKept = hn::And(hn::Le(tNear, tMax), isUsed);
       hn::StoreU(keep(d, tNear, isKept), d, stack.tNear + kept);
       hn::StoreU(keep(words, children, hn::RebindMask(words, isKept)), words,
@@ -221,25 +215,25 @@ HWY_INLINE void dropBeyond(float hitT, Stack& stack) {
       kept += hn::CountTrue(d, isKept);
     }
   } else {
-    for (std::size_t i = 0; i < stack.size; ++i) {
+    for (std::size_t i = 0; i < size; ++i) {
       stack.tNear[kept] = stack.tNear[i];
       stack.children[kept] = stack.children[i];
       kept += stack.tNear[i] <= hitT ? 1u : 0u;
     }
   }
-  stack.size = kept;
+  return kept;
 }
 
 /// Pushes the children whose boxes the ray meets, in any order, but for the last of them, which is
 /// returned; without any, what was on top. Not read back from the stack: what comes next then
 /// depends on the tests alone, not on what was just stored.
-HWY_INLINE WideChild pushUnordered(const WideNode& node, const BoxTest& test, Stack& stack) {
+HWY_INLINE WideChild pushUnordered(const WideNode& node, const BoxTest& test, Stack& stack,
+                                   std::size_t& size) {
   const WordTag words;
   const std::uint32_t bits = findMet(test);
-  const std::uint32_t below = stack.children[stack.size - 1];
+  const std::uint32_t below = stack.children[size - 1];
   const std::uint32_t last =
       childWords(node)[31u - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits | 1u)];
-  std::size_t size = stack.size;
   if constexpr (kVectorCount <= 2) {
     forEachVector([&](auto i) {
       const auto isMet = hn::RebindMask(words, hn::Le(test.tNear.vectors[i], test.tFar.vectors[i]));
@@ -253,7 +247,7 @@ HWY_INLINE WideChild pushUnordered(const WideNode& node, const BoxTest& test, St
       size += bits >> slot & 1u;
     }
   }
-  stack.size = size - 1;
+  --size;
   return WideChild::fromWord(bits != 0 ? last : below);
 }
 
@@ -264,9 +258,8 @@ HWY_ALIGN constexpr std::uint32_t kSlotShifts[kLaneCount] = {0,  0,  4,  4,  8, 
 /// Pushes the children whose boxes the ray meets so that the nearest comes to lie on top. The order
 /// is that of the cells, which is known beforehand: nothing is sorted, and nothing depends on how
 /// many there are, so that no branch can be mispredicted.
-HWY_INLINE void pushNearestLast(const WideNode& node, std::uint32_t octant, const BoxTest& test,
-                                Stack& stack) {
-  std::size_t size = stack.size;
+HWY_INLINE std::size_t pushNearestLast(const WideNode& node, std::uint32_t octant,
+                                       const BoxTest& test, Stack& stack, std::size_t size) {
   const FloatTag d;
   const WordTag words;
   const SlotOrder& order = node.orders[octant];
@@ -301,7 +294,7 @@ HWY_INLINE void pushNearestLast(const WideNode& node, std::uint32_t octant, cons
       size += bits >> slot & 1u;
     }
   }
-  stack.size = size;
+  return size;
 }
 
 /// The edge functions of sixteen triangles: see triangle_intersection.hpp. Plain multiplications
@@ -409,6 +402,7 @@ struct ShearedCorner {
 
 /// The test of one triangle, rounded as in `intersectTriangle`. Returns whether `query` has a new
 /// best hit.
+template <class Goal>
 HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std::uint32_t lane) {
   const auto shear = [&](std::size_t which) -> ShearedCorner {
     const std::size_t i = block.corners[which][lane];
@@ -441,7 +435,7 @@ HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std
   const bool isTie = t == query.hitT;
   if (isTie && query.hitObject <= object && query.hitObject != 0xFFFF'FFFFu)
     return false;
-  if (query.accepts != nullptr && !query.accepts(query, block, lane))
+  if (Goal::kAsks && !query.accepts(query, block, lane))
     return false;
   query.hitT = t;
   query.hitObject = object;
@@ -454,21 +448,21 @@ HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std
 }
 
 /// Tests the triangles of some blocks; returns whether one of them became the best hit.
-template <bool kStopsAtAnyHit>
+template <class Goal>
 HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild child) {
   const TriangleBlock* block = query.blocks + child.firstBlock();
   bool found = false;
   for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
-    std::uint32_t candidates = ray.findCandidates<kStopsAtAnyHit>(*block);
+    std::uint32_t candidates = ray.findCandidates<Goal::kStopsAtAnyHit>(*block);
     while (candidates != 0) {
       const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));
       candidates &= candidates - 1;
       // A triangle is often met again in the next cell.
       if (block->objects[lane] == query.hitObject)
         continue;
-      if (acceptTriangle(query, *block, lane)) {
+      if (acceptTriangle<Goal>(query, *block, lane)) {
         found = true;
-        if (kStopsAtAnyHit)
+        if (Goal::kStopsAtAnyHit)
           return true;
       }
     }
@@ -476,65 +470,104 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   return found;
 }
 
+/// How far a query has come.
+struct Progress {
+  Stack stack;
+  std::size_t size = 0;  ///< of the stack
+  bool found = false;
+
+  HWY_INLINE void push(float tNear, WideChild child) {
+    stack.tNear[size] = tNear;
+    stack.children[size++] = child.word();
+  }
+};
+
 /// Goes on until the next thing to do is to test the objects of a leaf, which is returned; or until
-/// the query is answered, then returns `end`. Calls nothing, so that the ray can stay in registers.
-template <bool kStopsAtAnyHit>
-HWY_INLINE WideChild goToObjects(WideQuery& query, Stack& stack, bool& found) {
+/// the query is answered, then returns `end`. A function of its own that calls nothing, so that the
+/// ray stays in registers.
+template <class Goal>
+HWY_NOINLINE WideChild goToObjects(WideQuery& query, Progress& progress) {
   const WideRay boxRay(query);
   const BlockRay blockRay(query);
   Floats tMax = hn::Set(FloatTag(), query.hitT);
-  WideChild child = stack.pop();
+  Stack& stack = progress.stack;
+  std::size_t size = progress.size;
+  WideChild child = WideChild::fromWord(stack.children[--size]);
   while (true) {
     if (child.isNode()) {
       const WideNode& node = query.nodes[child.nodeIndex()];
       BoxTest test;
       boxRay.test(node, tMax, test);
-      if constexpr (kStopsAtAnyHit) {
-        child = pushUnordered(node, test, stack);
+      if constexpr (Goal::kStopsAtAnyHit) {
+        child = pushUnordered(node, test, stack, size);
         continue;
       }
-      pushNearestLast(node, query.octant, test, stack);
+      size = pushNearestLast(node, query.octant, test, stack, size);
     } else if (child.holdsObjects()) {
+      progress.size = size;
       return child;
     } else {
       const float end = query.hitT;
-      found |= testBlocks<kStopsAtAnyHit>(query, blockRay, child);
-      if (kStopsAtAnyHit && found)
-        return WideChild::end();
+      if (testBlocks<Goal>(query, blockRay, child)) {
+        progress.found = true;
+        if (Goal::kStopsAtAnyHit)
+          return WideChild::end();
+      }
       if (query.hitT < end) {
         tMax = hn::Set(FloatTag(), query.hitT);
-        dropBeyond(query.hitT, stack);
+        size = dropBeyond(query.hitT, stack, size);
       }
     }
-    child = stack.pop();
+    child = WideChild::fromWord(stack.children[--size]);
   }
 }
 
-template <bool kStopsAtAnyHit>
+template <class Goal>
 HWY_INLINE bool traverse(WideQuery& query) {
-  Stack stack;
-  stack.push(-std::numeric_limits<float>::infinity(), WideChild::end());
-  stack.push(query.tMin, query.root);
-  bool found = false;
+  Progress progress;
+  progress.push(-std::numeric_limits<float>::infinity(), WideChild::end());
+  progress.push(query.tMin, query.root);
   while (true) {
-    const WideChild child = goToObjects<kStopsAtAnyHit>(query, stack, found);
+    const WideChild child = goToObjects<Goal>(query, progress);
     if (child.isEnd())
-      return found;
+      return progress.found;
     const float end = query.hitT;
-    found |= query.testObjects(query, child.leafIndex());
-    if (kStopsAtAnyHit && found)
+    progress.found |= query.testObjects(query, child.leafIndex());
+    if (Goal::kStopsAtAnyHit && progress.found)
       return true;
     if (query.hitT < end)
-      dropBeyond(query.hitT, stack);
+      progress.size = dropBeyond(query.hitT, progress.stack, progress.size);
   }
 }
 
-inline bool findNearest(WideQuery& query) noexcept {
-  return traverse<false>(query);
+struct Nearest {
+  static constexpr bool kStopsAtAnyHit = false;
+  static constexpr bool kAsks = false;  ///< whether `WideQuery::accepts` has to be asked
+};
+struct Any {
+  static constexpr bool kStopsAtAnyHit = true;
+  static constexpr bool kAsks = false;
+};
+struct NearestAccepted {
+  static constexpr bool kStopsAtAnyHit = false;
+  static constexpr bool kAsks = true;
+};
+struct AnyAccepted {
+  static constexpr bool kStopsAtAnyHit = true;
+  static constexpr bool kAsks = true;
+};
+
+template <class Goal>
+bool search(WideQuery& query) noexcept {
+  return traverse<Goal>(query);
 }
 
-inline bool findAny(WideQuery& query) noexcept {
-  return traverse<true>(query);
+constexpr WideKernels kernelsNamed(std::string_view name) {
+  return {.name = name,
+          .findNearest = search<Nearest>,
+          .findAny = search<Any>,
+          .findNearestAccepted = search<NearestAccepted>,
+          .findAnyAccepted = search<AnyAccepted>};
 }
 
 }  // namespace planetree::detail::HWY_NAMESPACE

@@ -158,9 +158,10 @@ std::optional<bool> searchWide(const Request<float>& request, Hitf& hit,
   search.testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
     return static_cast<WideSearch&>(wide).testLeaf<Goal>(leafIndex);
   };
+  const bool asks = search.accepts != nullptr;
   if (Goal::kStopsAtAnyHit)
-    return kernels.findAny(search);
-  if (!kernels.findNearest(search))
+    return asks ? kernels.findAnyAccepted(search) : kernels.findAny(search);
+  if (!(asks ? kernels.findNearestAccepted(search) : kernels.findNearest(search)))
     return false;
   if (Goal::kOffersHits)
     return true;

@@ -48,7 +48,7 @@ struct WideQuery {
   /// `hitT`.
   bool (*testObjects)(WideQuery& query, std::uint32_t leafIndex) noexcept = nullptr;
   /// Whether to take the triangle in this lane, which is hit with t in [`tMin`, `hitT`], as the
-  /// best hit; may lower `hitT` by itself if not. Null to take every one.
+  /// best hit; may lower `hitT` by itself if not. Null if the query takes every one.
   bool (*accepts)(WideQuery& query, const TriangleBlock& block,
                   std::uint32_t lane) noexcept = nullptr;
 
