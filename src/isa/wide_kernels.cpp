@@ -11,6 +11,20 @@
 
 #include "isa/wide_traversal-inl.hpp"
 
+HWY_BEFORE_NAMESPACE();
+namespace planetree::detail::HWY_NAMESPACE {
+
+constexpr WideKernels kernelsNamed(std::string_view name) {
+  return {.name = name,
+          .findNearest = findNearest,
+          .findAny = findAny,
+          .findNearestOfRounded = findNearestOfRounded,
+          .findAnyOfRounded = findAnyOfRounded};
+}
+
+}  // namespace planetree::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
 #if HWY_ONCE
 #include <array>
 #include <cstdlib>
@@ -25,22 +39,22 @@ struct Target {
 
 constexpr std::array kTargets = {
 #if HWY_TARGETS & HWY_AVX3
-    Target{HWY_AVX3, {"avx512", N_AVX3::findNearest, N_AVX3::findAny}},
+    Target{HWY_AVX3, N_AVX3::kernelsNamed("avx512")},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    Target{HWY_AVX2, {"avx2", N_AVX2::findNearest, N_AVX2::findAny}},
+    Target{HWY_AVX2, N_AVX2::kernelsNamed("avx2")},
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    Target{HWY_SSE4, {"sse4", N_SSE4::findNearest, N_SSE4::findAny}},
+    Target{HWY_SSE4, N_SSE4::kernelsNamed("sse4")},
 #endif
 #if HWY_TARGETS & HWY_NEON
-    Target{HWY_NEON, {"neon", N_NEON::findNearest, N_NEON::findAny}},
+    Target{HWY_NEON, N_NEON::kernelsNamed("neon")},
 #endif
 // Plain code: which name it has depends on the compiler.
 #if HWY_TARGETS & HWY_EMU128
-    Target{HWY_EMU128, {"scalar", N_EMU128::findNearest, N_EMU128::findAny}},
+    Target{HWY_EMU128, N_EMU128::kernelsNamed("scalar")},
 #elif HWY_TARGETS & HWY_SCALAR
-    Target{HWY_SCALAR, {"scalar", N_SCALAR::findNearest, N_SCALAR::findAny}},
+    Target{HWY_SCALAR, N_SCALAR::kernelsNamed("scalar")},
 #endif
 };
 

@@ -15,6 +15,10 @@ struct WideKernels {
   bool (*findNearest)(WideQuery& query) noexcept;
   /// True if there is any hit with t from `tMin` to `hitT`.
   bool (*findAny)(WideQuery& query) noexcept;
+  /// The same for trees whose blocks hold rounded corners: `query.testCandidates` decides, and
+  /// keeps the hit.
+  bool (*findNearestOfRounded)(WideQuery& query) noexcept;
+  bool (*findAnyOfRounded)(WideQuery& query) noexcept;
 };
 
 /// Those that this machine can run, the best one first.

@@ -272,7 +272,9 @@ class BlockRay {
         shearY_(hn::Set(FloatTag(), query.shearY)) {}
 
   /// The lanes whose edge functions do not have both signs: those that can be hit, and no others
-  /// but such as have a zero that only exact arithmetic decides.
+  /// but such as have a zero that only exact arithmetic decides. If the corners were rounded, also
+  /// those whose signs may be wrong.
+  template <bool kCornersAreRounded>
   HWY_INLINE std::uint32_t findCandidates(const TriangleBlock& block) const {
     const FloatTag d;
     Lanes x;
@@ -302,12 +304,28 @@ class BlockRay {
       const Floats zero = hn::Zero(d);
       const Floats least = hn::Min(hn::Min(u, v), w);
       const Floats greatest = hn::Max(hn::Max(u, v), w);
-      isCandidate[i] = hn::Or(hn::Ge(least, zero), hn::Le(greatest, zero));
+      if constexpr (kCornersAreRounded) {
+        const Floats slack = slackOfEdges(ax, ay, bx, by, cx, cy);
+        isCandidate[i] = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(greatest, slack));
+      } else {
+        isCandidate[i] = hn::Or(hn::Ge(least, zero), hn::Le(greatest, zero));
+      }
     });
     return bitsOf(isCandidate) & block.usedLanes;
   }
 
  private:
+  /// By how much the edge functions of rounded corners may be off: docs/numerics.md, section 3.
+  HWY_INLINE Floats slackOfEdges(Floats ax, Floats ay, Floats bx, Floats by, Floats cx,
+                                 Floats cy) const {
+    const FloatTag d;
+    const Floats a = hn::Max(hn::Abs(ax), hn::Abs(ay));
+    const Floats b = hn::Max(hn::Abs(bx), hn::Abs(by));
+    const Floats c = hn::Max(hn::Abs(cx), hn::Abs(cy));
+    return hn::MulAdd(hn::Max(hn::Max(a, b), c), hn::Set(d, query_.edgeSlack),
+                      hn::Set(d, query_.leastEdgeSlack));
+  }
+
   static HWY_INLINE Words cornersOf(const TriangleBlock& block, std::size_t corner,
                                     std::size_t vector) {
     const hn::Rebind<std::uint8_t, WordTag> bytes;
@@ -378,7 +396,7 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   const TriangleBlock* block = query.blocks + child.firstBlock();
   bool found = false;
   for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
-    std::uint32_t candidates = ray.findCandidates(*block);
+    std::uint32_t candidates = ray.findCandidates<false>(*block);
     while (candidates != 0) {
       const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));
       candidates &= candidates - 1;
@@ -395,10 +413,31 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   return found;
 }
 
+/// Triangles that are to be tested with the corners of their mesh.
+struct Candidates {
+  std::uint32_t objects[WideChild::kMaxBlockCount * kLaneCount];
+  std::uint32_t count = 0;
+
+  /// Takes those of some blocks with rounded corners. A triangle that is the best hit, met again in
+  /// the next cell, is left out.
+  HWY_INLINE void collect(const WideQuery& query, const BlockRay& ray, WideChild child) {
+    count = 0;
+    const TriangleBlock* block = query.blocks + child.firstBlock();
+    for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
+      std::uint32_t lanes = ray.findCandidates<true>(*block);
+      for (; lanes != 0; lanes &= lanes - 1) {
+        objects[count] = block->objects[hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes)];
+        count += objects[count] != query.hitObject ? 1u : 0u;
+      }
+    }
+  }
+};
+
 /// How far a query has come.
 struct Progress {
   Stack stack;
   std::size_t size = 1;  ///< of the stack
+  Candidates candidates;
   bool found = false;
 
   /// Takes the next subtree from the stack that may hold a hit before the best one; at the same t
@@ -416,8 +455,9 @@ struct Progress {
 };
 
 /// Goes on until the query is answered, then returns false, or until the next thing to do is to
-/// test the objects of `child`. Calls nothing, so that the ray can stay in registers.
-template <bool kStopsAtAnyHit>
+/// test the objects of `child`, or the candidates of its blocks. Calls nothing, so that the ray can
+/// stay in registers.
+template <bool kStopsAtAnyHit, bool kCornersAreRounded>
 HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& child) {
   const WideRay boxRay(query);
   const BlockRay blockRay(query);
@@ -432,6 +472,10 @@ HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& chi
                          : pushNearestLast(node, query.octant, test, progress.stack, progress.size);
     } else if (child.holdsObjects()) {
       return true;
+    } else if constexpr (kCornersAreRounded) {
+      progress.candidates.collect(query, blockRay, child);
+      if (progress.candidates.count != 0)
+        return true;
     } else if (testBlocks<kStopsAtAnyHit>(query, blockRay, child)) {
       progress.found = true;
       if (kStopsAtAnyHit)
@@ -442,14 +486,18 @@ HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& chi
   return false;
 }
 
-template <bool kStopsAtAnyHit>
+template <bool kStopsAtAnyHit, bool kCornersAreRounded>
 HWY_INLINE bool traverse(WideQuery& query) {
   Progress progress;
   progress.stack.tNear[0] = query.tMin;
   progress.stack.children[0] = query.root.word();
   WideChild child;
-  while (goToObjects<kStopsAtAnyHit>(query, progress, child)) {
-    if (query.testObjects(query, child.leafIndex())) {
+  while (goToObjects<kStopsAtAnyHit, kCornersAreRounded>(query, progress, child)) {
+    const Candidates& candidates = progress.candidates;
+    const bool isBetter = !kCornersAreRounded || child.holdsObjects()
+                              ? query.testObjects(query, child.leafIndex())
+                              : query.testCandidates(query, candidates.objects, candidates.count);
+    if (isBetter) {
       progress.found = true;
       if (kStopsAtAnyHit)
         return true;
@@ -459,11 +507,19 @@ HWY_INLINE bool traverse(WideQuery& query) {
 }
 
 inline bool findNearest(WideQuery& query) noexcept {
-  return traverse<false>(query);
+  return traverse<false, false>(query);
 }
 
 inline bool findAny(WideQuery& query) noexcept {
-  return traverse<true>(query);
+  return traverse<true, false>(query);
+}
+
+inline bool findNearestOfRounded(WideQuery& query) noexcept {
+  return traverse<false, true>(query);
+}
+
+inline bool findAnyOfRounded(WideQuery& query) noexcept {
+  return traverse<true, true>(query);
 }
 
 }  // namespace planetree::detail::HWY_NAMESPACE

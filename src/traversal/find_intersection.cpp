@@ -3,7 +3,7 @@
 #include "traversal/search_wide.hpp"
 #include "traversal/traverse.hpp"
 
-#include <type_traits>
+#include <optional>
 
 namespace planetree {
 namespace {
@@ -13,12 +13,10 @@ bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& opti
             StepCounts* steps, Hit<T>& hit) noexcept {
   detail::Query<T> query(tree, ray, ray.tMin, ray.tMax);
   query.mask = options.mask;
-  if constexpr (std::is_same_v<T, float>) {
-    // Steps are those of the binary form.
-    if (!steps) {
-      if (const std::optional<bool> found = detail::searchWide<Goal>(query, hit))
-        return *found;
-    }
+  // Steps are those of the binary form.
+  if (!steps) {
+    if (const std::optional<bool> found = detail::searchWide<Goal>(query, hit))
+      return *found;
   }
   const Node& root = tree.nodes.front();
   const Interval<T> part = query.partInsideTree();

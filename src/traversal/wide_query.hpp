@@ -46,6 +46,16 @@ struct WideQuery {
   /// Whether the query sees an object; null if it sees all.
   bool (*sees)(const WideQuery& query, std::uint32_t object) noexcept = nullptr;
 
+  // --- triangles in double, whose blocks hold rounded corners ---
+  /// An edge function of a block is off by at most `edgeSlack` times the largest coordinate that
+  /// goes into it, plus `leastEdgeSlack`.
+  float edgeSlack = 0.0f;
+  float leastEdgeSlack = 0.0f;
+  /// Tests triangles with the corners of their mesh; true if that answers the query or lowers
+  /// `hitT`.
+  bool (*testCandidates)(WideQuery& query, const std::uint32_t* objects,
+                         std::uint32_t count) noexcept = nullptr;
+
   // --- the best hit so far ---
   float hitT = 0.0f;                        ///< at first the end of the interval
   std::uint32_t hitObject = 0xFFFF'FFFFu;   ///< the tree's number of the object
