@@ -61,7 +61,7 @@ struct CheckedBall {
                    .front();
 
   [[nodiscard]] CheckedAnswers honest(bool isExact) const {
-    CheckedAnswers checked{"honest", "mode", isExact, roomForAnswers(set)};
+    CheckedAnswers checked{"honest", "mode", isExact, Precision::Float, roomForAnswers(set)};
     takeAnswers(*planetreeEngines().front()->build(scene.mesh, 1), set, 1, checked.answers);
     return checked;
   }
