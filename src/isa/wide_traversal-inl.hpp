@@ -418,18 +418,36 @@ struct Candidates {
   std::uint32_t objects[WideChild::kMaxBlockCount * kLaneCount];
   std::uint32_t count = 0;
 
-  /// Takes those of some blocks with rounded corners. A triangle that is the best hit, met again in
-  /// the next cell, is left out.
+  /// Takes those of some blocks with rounded corners, but for the best hit, met again in the next
+  /// cell.
   HWY_INLINE void collect(const WideQuery& query, const BlockRay& ray, WideChild child) {
     count = 0;
     const TriangleBlock* block = query.blocks + child.firstBlock();
     for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
       std::uint32_t lanes = ray.findCandidates<true>(*block);
       for (; lanes != 0; lanes &= lanes - 1) {
-        objects[count] = block->objects[hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes)];
-        count += objects[count] != query.hitObject ? 1u : 0u;
+        const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
+        objects[count] = block->objects[lane];
+        const bool isWanted =
+            mayBeHitInTime(query, *block, lane) && objects[count] != query.hitObject;
+        count += isWanted ? 1u : 0u;
       }
     }
+  }
+
+ private:
+  /// Whether the part of the ray that counts may meet a triangle: its corners along the axis that
+  /// the ray advances most on are tested like the planes of a box.
+  static HWY_INLINE bool mayBeHitInTime(const WideQuery& query, const TriangleBlock& block,
+                                        std::size_t lane) {
+    const float* const z = block.positions[query.kz];
+    const float inverse = query.inverse[query.kz];
+    const float a = z[block.corners[0][lane]] * inverse;
+    const float b = z[block.corners[1][lane]] * inverse;
+    const float c = z[block.corners[2][lane]] * inverse;
+    const float nearest = HWY_MIN(HWY_MIN(a, b), c) + query.nearOffset[query.kz];
+    const float farthest = HWY_MAX(HWY_MAX(a, b), c) + query.farOffset[query.kz];
+    return nearest <= query.hitT && farthest >= query.tMin;
   }
 };
 

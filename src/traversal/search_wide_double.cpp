@@ -16,7 +16,7 @@ namespace {
 // the unit roundoff of float and of the largest distance, along an axis, between the center of the
 // tree and the ray's origin and a corner, one after the other.
 constexpr double kRoundoff = 0x1p-24;
-constexpr double kBoxSlackInRoundoffs = 4.0;
+constexpr double kBoxSlackInRoundoffs = 5.0;
 constexpr double kEdgeSlackInRoundoffs = 48.0;
 constexpr double kLeastEdgeSlackInSquaredRoundoffs = 256.0;
 /// A direction whose component is smaller than this part of the largest one looks parallel to a
