@@ -2,6 +2,7 @@
 
 #include <planetree/planetree.hpp>
 
+#include "compare_forms.hpp"
 #include "support/hard_cases.hpp"
 #include "support/random.hpp"
 
@@ -29,38 +30,6 @@ template <class T>
 class WideForm : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(WideForm, Scalars);
-
-/// What the binary form says; it is compared with brute force elsewhere.
-template <class T>
-std::optional<Hit<T>> askBinaryForm(const TreeView<T>& tree, const Ray<T>& ray,
-                                    const QueryOptions& options = {}) {
-  StepCounts steps;
-  return findIntersection(tree, ray, options, &steps);
-}
-
-/// Compares all instruction sets with the binary form; returns how many rays the wide form took.
-template <class T>
-std::size_t compareForms(const TreeView<T>& tree, const std::vector<Ray<T>>& rays,
-                         const QueryOptions& options = {}) {
-  std::size_t answeredCount = 0;
-  for (const Ray<T>& ray : rays) {
-    const std::optional<Hit<T>> expected = askBinaryForm(tree, ray, options);
-    Query<T> query(tree, ray, ray.tMin, ray.tMax);
-    query.mask = options.mask;
-    for (const WideKernels& kernels : supportedWideKernels()) {
-      Hit<T> hit;
-      const std::optional<bool> found = searchWide<NearestHit>(query, hit, kernels);
-      if (!found)
-        continue;
-      ++answeredCount;
-      EXPECT_EQ(*found, expected.has_value()) << kernels.name;
-      EXPECT_EQ(hit, expected.value_or(Hit<T>{})) << kernels.name;
-      Hit<T> unused;
-      EXPECT_EQ(searchWide<AnyHit>(query, unused, kernels), expected.has_value()) << kernels.name;
-    }
-  }
-  return answeredCount;
-}
 
 TYPED_TEST(WideForm, AgreesBitForBitWithTheBinaryFormOnEveryInstructionSet) {
   using T = TypeParam;
