@@ -315,15 +315,14 @@ class BlockRay {
   }
 
  private:
-  /// By how much the edge functions of rounded corners may be off: docs/numerics.md, section 3.
+  /// How large an edge function of rounded corners may be and still have the wrong sign:
+  /// docs/numerics.md, section 3.
   HWY_INLINE Floats slackOfEdges(Floats ax, Floats ay, Floats bx, Floats by, Floats cx,
                                  Floats cy) const {
-    const FloatTag d;
     const Floats a = hn::Max(hn::Abs(ax), hn::Abs(ay));
     const Floats b = hn::Max(hn::Abs(bx), hn::Abs(by));
     const Floats c = hn::Max(hn::Abs(cx), hn::Abs(cy));
-    return hn::MulAdd(hn::Max(hn::Max(a, b), c), hn::Set(d, query_.edgeSlack),
-                      hn::Set(d, query_.leastEdgeSlack));
+    return hn::Mul(hn::Max(hn::Max(a, b), c), hn::Set(FloatTag(), query_.edgeSlack));
   }
 
   static HWY_INLINE Words cornersOf(const TriangleBlock& block, std::size_t corner,

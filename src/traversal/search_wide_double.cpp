@@ -18,7 +18,6 @@ namespace {
 constexpr double kRoundoff = 0x1p-24;
 constexpr double kBoxSlackInRoundoffs = 5.0;
 constexpr double kEdgeSlackInRoundoffs = 48.0;
-constexpr double kLeastEdgeSlackInSquaredRoundoffs = 256.0;
 /// A direction whose component is smaller than this part of the largest one looks parallel to a
 /// plane, as `PreparedRay<float>` has it.
 constexpr double kNearParallel = 0x1p-40;
@@ -132,9 +131,7 @@ struct WideSearch : WideQuery {
     originZ = static_cast<float>(origin[sheared.kz]);
     shearX = static_cast<float>(sheared.shearX);
     shearY = static_cast<float>(sheared.shearY);
-    const double roundoff = kRoundoff * reach;
-    edgeSlack = static_cast<float>(kEdgeSlackInRoundoffs * roundoff);
-    leastEdgeSlack = static_cast<float>(kLeastEdgeSlackInSquaredRoundoffs * roundoff * roundoff);
+    edgeSlack = static_cast<float>(kEdgeSlackInRoundoffs * kRoundoff * reach);
   }
 
   void prepareForBoxes(const ShearedRay<double>& sheared, const Vec3d& origin,

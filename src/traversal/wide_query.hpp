@@ -47,10 +47,9 @@ struct WideQuery {
   bool (*sees)(const WideQuery& query, std::uint32_t object) noexcept = nullptr;
 
   // --- triangles in double, whose blocks hold rounded corners ---
-  /// An edge function of a block is off by at most `edgeSlack` times the largest coordinate that
-  /// goes into it, plus `leastEdgeSlack`.
+  /// An edge function of rounded corners that is no larger than this times their largest sheared
+  /// coordinate may have the wrong sign.
   float edgeSlack = 0.0f;
-  float leastEdgeSlack = 0.0f;
   /// Tests triangles with the corners of their mesh; true if that answers the query or lowers
   /// `hitT`.
   bool (*testCandidates)(WideQuery& query, const std::uint32_t* objects,
