@@ -117,6 +117,15 @@ TEST(CheckAnswers, OneWrongRayIsAllowedUnlessTheEngineIsExact) {
   }
 }
 
+TEST(CheckAnswers, AsksBruteForceInThePrecisionOfTheEngine) {
+  const CheckedBall ball;
+  CheckedAnswers inDouble = ball.honest(true);
+  inDouble.precision = Precision::Double;
+  EXPECT_FALSE(ball.check({inDouble})[0].isAcceptable) << "its hits are those of floats";
+  inDouble.answers = bruteForceAnswers(ball.scene.mesh, ball.set, 2, Precision::Double);
+  EXPECT_TRUE(areAcceptable(ball.check({inDouble, ball.honest(true)})));
+}
+
 TEST(BruteForce, IsTheSameOnAnyNumberOfThreads) {
   const CheckedBall ball;
   const Answers one = bruteForceAnswers(ball.scene.mesh, ball.set, 1);
