@@ -49,6 +49,10 @@ std::string howToGet(const Rival& rival) {
       rival.package);
 }
 
+std::string fullName(const Rival& rival, const Engine& engine) {
+  return rival.name + ":" + engine.mode();
+}
+
 EngineList selectEngines(const std::vector<std::string>& names) {
   EngineList selected;
   std::set<std::string> known;
@@ -62,11 +66,17 @@ EngineList selectEngines(const std::vector<std::string>& names) {
       continue;
     }
     for (auto& engine : rival.engines()) {
-      const std::string full = rival.name + ":" + engine->mode();
+      const std::string full = fullName(rival, *engine);
       known.insert(full);
       const bool isWanted =
           names.empty() ? rival.joinsUnasked : isNamed(names, rival.name) || isNamed(names, full);
       if (isWanted)
+        selected.push_back(std::move(engine));
+    }
+    for (auto& engine : rival.enginesByName ? rival.enginesByName() : EngineList{}) {
+      const std::string full = fullName(rival, *engine);
+      known.insert(full);
+      if (isNamed(names, full))
         selected.push_back(std::move(engine));
     }
   }
@@ -176,7 +186,8 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
   rivals
       ->add_option("--engines", command.engines,
                    "Libraries, or single modes of them: planetree, embree3, cgal, "
-                   "embree3:high-robust, ... [all but cgal]")
+                   "embree3:high-robust, ... [all but cgal]. Only by its full name: "
+                   "planetree:balanced-watertight-float64, which traces in double")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAME");

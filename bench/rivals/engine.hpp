@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bench/support/precision.hpp"
+
 #include <planetree/geometry/ray.hpp>
 #include <planetree/hit/hit.hpp>
 #include <planetree/mesh/triangle_mesh.hpp>
@@ -48,6 +50,9 @@ class Engine {
   [[nodiscard]] virtual bool isDefault() const = 0;
   /// Whether the answers must be those of brute force bit for bit. Others may differ at edges.
   [[nodiscard]] virtual bool isExact() const { return false; }
+  /// In which precision rays are traced. Brute force does as the engine does; its hits, like those
+  /// of the engine, are rounded to float at the end.
+  [[nodiscard]] virtual Precision precision() const { return Precision::Float; }
   /// Whether queries read the arrays that the structure was made from, so that these belong to the
   /// memory it takes.
   [[nodiscard]] virtual bool queriesReadMesh() const { return false; }

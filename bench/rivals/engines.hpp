@@ -12,6 +12,7 @@ using EngineList = std::vector<std::unique_ptr<Engine>>;
 
 // One function for each library. They are defined only where the library was found.
 [[nodiscard]] EngineList planetreeEngines();
+[[nodiscard]] EngineList planetreeDoubleEngines();
 [[nodiscard]] EngineList embree3Engines();
 [[nodiscard]] EngineList cgalEngines();
 
@@ -21,6 +22,8 @@ struct Rival {
   EngineList (*engines)();   ///< null where the library was not found when this was built
   std::string package;       ///< the Debian package that has it
   bool joinsUnasked = true;  ///< whether it takes part where nobody was named
+  /// More modes, each of which takes part only where it is named itself.
+  EngineList (*enginesByName)() = nullptr;
 };
 
 /// planetree first.

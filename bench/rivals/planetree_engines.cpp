@@ -3,30 +3,33 @@
 #include <planetree/build_tree.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace planetree::bench {
 
 namespace {
 
+template <class T>
 class PlanetreeStructure final : public Structure {
  public:
-  explicit PlanetreeStructure(KdTree<Face<float>> tree) : tree_(std::move(tree)) {}
+  explicit PlanetreeStructure(KdTree<Face<T>> tree) : tree_(std::move(tree)) {}
 
   void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
-      hits[i] = tree_.findIntersection(rays[i]).value_or(Hitf{});
+      hits[i] = inFloat(tree_.findIntersection(rayIn<T>(rays[i])).value_or(Hit<T>{}));
   }
 
   void findOcclusions(std::span<const Rayf> rays, std::span<std::uint8_t> occluded) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
-      occluded[i] = tree_.isOccluded(rays[i]) ? 1 : 0;
+      occluded[i] = tree_.isOccluded(rayIn<T>(rays[i])) ? 1 : 0;
   }
 
  private:
-  KdTree<Face<float>> tree_;
+  KdTree<Face<T>> tree_;
 };
 
+template <class T>
 class PlanetreeEngine final : public Engine {
  public:
   PlanetreeEngine(std::string mode, BuildOptions options, bool isDefault)
@@ -36,17 +39,26 @@ class PlanetreeEngine final : public Engine {
   [[nodiscard]] std::string mode() const override { return mode_; }
   [[nodiscard]] bool isDefault() const override { return isDefault_; }
   [[nodiscard]] bool isExact() const override { return true; }
-  /// Leaves name faces, and the triangle test looks their corners up.
-  [[nodiscard]] bool queriesReadMesh() const override { return true; }
+  [[nodiscard]] Precision precision() const override {
+    return kIsFloat ? Precision::Float : Precision::Double;
+  }
+  /// Leaves name faces, and the triangle test looks their corners up. A tree of doubles looks into
+  /// a copy of its own.
+  [[nodiscard]] bool queriesReadMesh() const override { return kIsFloat; }
 
   [[nodiscard]] std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
                                                  unsigned threadCount) const override {
     BuildOptions options = options_;
     options.threadCount = threadCount;
-    return std::make_unique<PlanetreeStructure>(buildTree(mesh.view(), options));
+    if constexpr (kIsFloat)
+      return std::make_unique<PlanetreeStructure<T>>(buildTree(mesh.view(), options));
+    else
+      return std::make_unique<PlanetreeStructure<T>>(buildTree(meshIn<T>(mesh), options));
   }
 
  private:
+  static constexpr bool kIsFloat = std::is_same_v<T, float>;
+
   std::string mode_;
   BuildOptions options_;
   bool isDefault_;
@@ -56,7 +68,15 @@ class PlanetreeEngine final : public Engine {
 
 EngineList planetreeEngines() {
   EngineList engines;
-  engines.push_back(std::make_unique<PlanetreeEngine>("balanced-watertight", BuildOptions{}, true));
+  engines.push_back(
+      std::make_unique<PlanetreeEngine<float>>("balanced-watertight", BuildOptions{}, true));
+  return engines;
+}
+
+EngineList planetreeDoubleEngines() {
+  EngineList engines;
+  engines.push_back(std::make_unique<PlanetreeEngine<double>>("balanced-watertight-float64",
+                                                              BuildOptions{}, false));
   return engines;
 }
 

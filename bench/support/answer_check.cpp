@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 
 namespace planetree::bench {
 
@@ -62,9 +63,10 @@ void countOcclusions(const Answers& answers, const Answers& reference, Disagreem
   }
 }
 
-Hitf bruteForceHit(const TriangleMeshView<float>& mesh, const Rayf& ray) {
-  const ShearedRay<float> sheared(ray);
-  Hitf nearest;
+template <class T>
+Hit<T> bruteForceHit(const TriangleMeshView<T>& mesh, const Ray<T>& ray) {
+  const ShearedRay<T> sheared(ray);
+  Hit<T> nearest;
   for (std::size_t face = 0; face < mesh.size(); ++face) {
     if (!mesh[face].isUsable())
       continue;
@@ -72,16 +74,27 @@ Hitf bruteForceHit(const TriangleMeshView<float>& mesh, const Rayf& ray) {
     const auto found = intersectTriangle(sheared, a, b, c, ray.tMin, ray.tMax);
     if (!found)
       continue;
-    const Hitf hit = {.t = found->t,
-                      .u = found->u,
-                      .v = found->v,
-                      .normal = triangleNormal(a, b, c, ray.direction),
-                      .geometry = 0,
-                      .primitive = static_cast<std::uint32_t>(face)};
+    const Hit<T> hit = {.t = found->t,
+                        .u = found->u,
+                        .v = found->v,
+                        .normal = triangleNormal(a, b, c, ray.direction),
+                        .geometry = 0,
+                        .primitive = static_cast<std::uint32_t>(face)};
     if (isBefore(hit, nearest))
       nearest = hit;
   }
   return nearest;
+}
+
+template <class T>
+std::vector<Hitf> bruteForceHits(const TriangleMeshView<T>& mesh, const std::vector<Rayf>& rays,
+                                 unsigned threadCount) {
+  std::vector<Hitf> hits(rays.size());
+  parallelFor(hits.size(), 1, threadCount, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      hits[i] = inFloat(bruteForceHit(mesh, rayIn<T>(rays[i])));
+  });
+  return hits;
 }
 
 bool isAcceptable(const Disagreement& found, bool mustBeExact) {
@@ -123,14 +136,11 @@ Disagreement compareAnswers(const Answers& answers, const Answers& reference, do
   return found;
 }
 
-Answers bruteForceAnswers(const TriangleMesh<float>& mesh, const RaySet& set,
-                          unsigned threadCount) {
-  const TriangleMeshView<float> view = mesh.view();
-  std::vector<Hitf> hits(set.rays.size());
-  parallelFor(hits.size(), 1, threadCount, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      hits[i] = bruteForceHit(view, set.rays[i]);
-  });
+Answers bruteForceAnswers(const TriangleMesh<float>& mesh, const RaySet& set, unsigned threadCount,
+                          Precision precision) {
+  std::vector<Hitf> hits = precision == Precision::Float
+                               ? bruteForceHits(mesh.view(), set.rays, threadCount)
+                               : bruteForceHits(meshIn<double>(mesh).view(), set.rays, threadCount);
   Answers answers;
   if (!asksForAnyHit(set.kind)) {
     answers.hits = std::move(hits);
@@ -175,16 +185,22 @@ std::vector<CheckedPair> checkAnswers(const TriangleMesh<float>& mesh, const Ray
                                       const std::vector<CheckedAnswers>& all, double diagonal,
                                       std::size_t sampleSize, unsigned threadCount) {
   const std::vector<std::size_t> places = sampleOf(set, sampleSize);
-  const Answers truth = bruteForceAnswers(mesh, selected(set, places), threadCount);
+  const RaySet sample = selected(set, places);
+  std::map<Precision, Answers> truths;
   std::vector<CheckedPair> pairs;
   for (const CheckedAnswers& checked : all) {
-    const Disagreement found = compareAnswers(selected(checked.answers, places), truth, diagonal);
+    const auto [truth, isNew] = truths.try_emplace(checked.precision);
+    if (isNew)
+      truth->second = bruteForceAnswers(mesh, sample, threadCount, checked.precision);
+    const Disagreement found =
+        compareAnswers(selected(checked.answers, places), truth->second, diagonal);
     pairs.push_back(
         {checked.engine, checked.mode, "brute force", found, isAcceptable(found, checked.isExact)});
   }
   for (std::size_t i = 1; i < all.size(); ++i) {
     const Disagreement found = compareAnswers(all[i].answers, all[0].answers, diagonal);
-    const bool mustBeExact = all[i].isExact && all[0].isExact;
+    const bool mustBeExact =
+        all[i].isExact && all[0].isExact && all[i].precision == all[0].precision;
     pairs.push_back({all[i].engine, all[i].mode, all[0].engine + " " + all[0].mode, found,
                      isAcceptable(found, mustBeExact)});
   }

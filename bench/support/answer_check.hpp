@@ -59,7 +59,8 @@ inline constexpr double kAllowedWrong = 0.005;
 
 /// The answers of testing every face with every ray, on `threadCount` threads.
 [[nodiscard]] Answers bruteForceAnswers(const TriangleMesh<float>& mesh, const RaySet& set,
-                                        unsigned threadCount);
+                                        unsigned threadCount,
+                                        Precision precision = Precision::Float);
 
 /// At most `count` rays of the set, chosen at random with a fixed seed, in their order.
 [[nodiscard]] std::vector<std::size_t> sampleOf(const RaySet& set, std::size_t count);
@@ -73,6 +74,7 @@ struct CheckedAnswers {
   std::string engine;
   std::string mode;
   bool isExact = false;
+  Precision precision = Precision::Float;
   Answers answers;
 };
 
@@ -86,8 +88,9 @@ struct CheckedPair {
 };
 
 /// Compares all engines with brute force on a sample of at most `sampleSize` rays, and with the
-/// first engine on all rays. An exact engine must have the bits of brute force; the others may be
-/// wrong about `kAllowedWrong` of the rays, and one ray of a small set.
+/// first engine on all rays. An exact engine must have the bits of brute force in its own
+/// precision; the others may be wrong about `kAllowedWrong` of the rays, and one ray of a small
+/// set, and so may exact ones of different precision about each other's.
 [[nodiscard]] std::vector<CheckedPair> checkAnswers(const TriangleMesh<float>& mesh,
                                                     const RaySet& set,
                                                     const std::vector<CheckedAnswers>& all,

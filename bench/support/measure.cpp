@@ -53,7 +53,7 @@ std::vector<CheckedAnswers> allAnswers(const EngineList& engines, const Structur
   std::vector<CheckedAnswers> all;
   for (std::size_t i = 0; i < engines.size(); ++i) {
     CheckedAnswers checked{engines[i]->name(), engines[i]->mode(), engines[i]->isExact(),
-                           roomForAnswers(set)};
+                           engines[i]->precision(), roomForAnswers(set)};
     takeAnswers(*structures[i], set, threadCount, checked.answers);
     all.push_back(std::move(checked));
   }

@@ -232,8 +232,7 @@ HWY_INLINE WideChild pushUnordered(const WideNode& node, const BoxTest& test, St
   const WordTag words;
   const std::uint32_t bits = findMet(test);
   const std::uint32_t below = stack.children[size - 1];
-  const std::uint32_t last =
-      childWords(node)[31u - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits | 1u)];
+  const std::uint32_t last = childWords(node)[31u - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits | 1u)];
   if constexpr (kVectorCount <= 2) {
     forEachVector([&](auto i) {
       const auto isMet = hn::RebindMask(words, hn::Le(test.tNear.vectors[i], test.tFar.vectors[i]));
@@ -317,11 +316,14 @@ class BlockRay {
   }
 
   /// The lanes whose edge functions do not have both signs: those that can be hit, and no others
-  /// but such as have a zero that only exact arithmetic decides. With `kTestsDepth`, of these most
-  /// that are hit outside the interval are left out; it has to be that which the query began with.
-  /// That pays where a candidate is likely to be the last one.
-  template <bool kTestsDepth>
+  /// but such as have a zero that only exact arithmetic decides; if the candidates are handed over,
+  /// also those whose signs may be wrong because corners are rounded.
+  ///
+  /// If any hit will do, most of those that are hit outside the interval are left out. It is the
+  /// one that the query began with; and a candidate is likely to be the last one, so that it pays.
+  template <class Goal>
   HWY_INLINE std::uint32_t findCandidates(const TriangleBlock& block) const {
+    constexpr bool kTestsDepth = Goal::kStopsAtAnyHit && !Goal::kHandsOver;
     const FloatTag d;
     Lanes x;
     Lanes y;
@@ -353,13 +355,19 @@ class BlockRay {
       const Floats zero = hn::Zero(d);
       const Floats least = hn::Min(hn::Min(u, v), w);
       const Floats greatest = hn::Max(hn::Max(u, v), w);
-      isCandidate[i] = hn::Or(hn::Ge(least, zero), hn::Le(greatest, zero));
+      if constexpr (Goal::kHandsOver) {
+        const Floats slack = slackOfEdges(ax, ay, bx, by, cx, cy);
+        isCandidate[i] = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(greatest, slack));
+      } else {
+        isCandidate[i] = hn::Or(hn::Ge(least, zero), hn::Le(greatest, zero));
+      }
       if constexpr (kTestsDepth) {
         // Of the squares, not of the edge functions: their errors grow with these.
         const Floats squares = hn::MulAdd(
             ax, ax,
-            hn::MulAdd(bx, bx,
-                       hn::MulAdd(cx, cx, hn::MulAdd(ay, ay, hn::MulAdd(by, by, hn::Mul(cy, cy))))));
+            hn::MulAdd(
+                bx, bx,
+                hn::MulAdd(cx, cx, hn::MulAdd(ay, ay, hn::MulAdd(by, by, hn::Mul(cy, cy))))));
         const Floats slack = hn::MulAdd(squares, hn::Set(d, kDepthSlack), hn::Set(d, kTiniest));
         const Floats uSize = hn::Abs(u);
         const Floats vSize = hn::Abs(v);
@@ -380,6 +388,16 @@ class BlockRay {
   // docs/numerics.md, section 3.
   static constexpr float kDepthSlack = 16.0f * 0x1p-24f;
   static constexpr float kTiniest = 0x1p-120f;
+
+  /// How large an edge function of rounded corners may be and still have the wrong sign:
+  /// docs/numerics.md, section 3.
+  HWY_INLINE Floats slackOfEdges(Floats ax, Floats ay, Floats bx, Floats by, Floats cx,
+                                 Floats cy) const {
+    const Floats a = hn::Max(hn::Abs(ax), hn::Abs(ay));
+    const Floats b = hn::Max(hn::Abs(bx), hn::Abs(by));
+    const Floats c = hn::Max(hn::Abs(cx), hn::Abs(cy));
+    return hn::Mul(hn::Max(hn::Max(a, b), c), hn::Set(FloatTag(), query_.edgeSlack));
+  }
 
   static HWY_INLINE Words cornersOf(const TriangleBlock& block, std::size_t corner,
                                     std::size_t vector) {
@@ -402,7 +420,6 @@ struct ShearedCorner {
 
 /// The test of one triangle, rounded as in `intersectTriangle`. Returns whether `query` has a new
 /// best hit.
-template <class Goal>
 HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std::uint32_t lane) {
   const auto shear = [&](std::size_t which) -> ShearedCorner {
     const std::size_t i = block.corners[which][lane];
@@ -435,8 +452,6 @@ HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std
   const bool isTie = t == query.hitT;
   if (isTie && query.hitObject <= object && query.hitObject != 0xFFFF'FFFFu)
     return false;
-  if (Goal::kAsks && !query.accepts(query, block, lane))
-    return false;
   query.hitT = t;
   query.hitObject = object;
   query.hitBlock = &block;
@@ -453,14 +468,14 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   const TriangleBlock* block = query.blocks + child.firstBlock();
   bool found = false;
   for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
-    std::uint32_t candidates = ray.findCandidates<Goal::kStopsAtAnyHit>(*block);
+    std::uint32_t candidates = ray.findCandidates<Goal>(*block);
     while (candidates != 0) {
       const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));
       candidates &= candidates - 1;
       // A triangle is often met again in the next cell.
       if (block->objects[lane] == query.hitObject)
         continue;
-      if (acceptTriangle<Goal>(query, *block, lane)) {
+      if (acceptTriangle(query, *block, lane)) {
         found = true;
         if (Goal::kStopsAtAnyHit)
           return true;
@@ -470,10 +485,49 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   return found;
 }
 
+/// Triangles that are handed over, to be tested with the corners of their mesh.
+struct Candidates {
+  std::uint32_t objects[WideChild::kMaxBlockCount * kLaneCount];
+  std::uint32_t count = 0;
+
+  /// Takes those of some blocks, but for the best hit, met again in the next cell.
+  template <class Goal>
+  HWY_INLINE void collect(const WideQuery& query, const BlockRay& ray, WideChild child) {
+    count = 0;
+    const TriangleBlock* block = query.blocks + child.firstBlock();
+    for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
+      std::uint32_t lanes = ray.findCandidates<Goal>(*block);
+      for (; lanes != 0; lanes &= lanes - 1) {
+        const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
+        objects[count] = block->objects[lane];
+        const bool isWanted =
+            mayBeHitInTime(query, *block, lane) && objects[count] != query.hitObject;
+        count += isWanted ? 1u : 0u;
+      }
+    }
+  }
+
+ private:
+  /// Whether the part of the ray that counts may meet a triangle: its corners along the axis that
+  /// the ray advances most on are tested like the planes of a box.
+  static HWY_INLINE bool mayBeHitInTime(const WideQuery& query, const TriangleBlock& block,
+                                        std::size_t lane) {
+    const float* const z = block.positions[query.kz];
+    const float inverse = query.inverse[query.kz];
+    const float a = z[block.corners[0][lane]] * inverse;
+    const float b = z[block.corners[1][lane]] * inverse;
+    const float c = z[block.corners[2][lane]] * inverse;
+    const float nearest = HWY_MIN(HWY_MIN(a, b), c) + query.depthNearOffset;
+    const float farthest = HWY_MAX(HWY_MAX(a, b), c) + query.depthFarOffset;
+    return nearest <= query.hitT && farthest >= query.tMin;
+  }
+};
+
 /// How far a query has come.
 struct Progress {
   Stack stack;
   std::size_t size = 0;  ///< of the stack
+  Candidates candidates;
   bool found = false;
 
   HWY_INLINE void push(float tNear, WideChild child) {
@@ -482,9 +536,9 @@ struct Progress {
   }
 };
 
-/// Goes on until the next thing to do is to test the objects of a leaf, which is returned; or until
-/// the query is answered, then returns `end`. A function of its own that calls nothing, so that the
-/// ray stays in registers.
+/// Goes on until the next thing to do is to test the objects of a leaf, which is returned, or the
+/// candidates of its blocks; or until the query is answered, then returns `end`. A function of its
+/// own that calls nothing, so that the ray stays in registers.
 template <class Goal>
 HWY_NOINLINE WideChild goToObjects(WideQuery& query, Progress& progress) {
   const WideRay boxRay(query);
@@ -506,6 +560,12 @@ HWY_NOINLINE WideChild goToObjects(WideQuery& query, Progress& progress) {
     } else if (child.holdsObjects()) {
       progress.size = size;
       return child;
+    } else if constexpr (Goal::kHandsOver) {
+      progress.candidates.template collect<Goal>(query, blockRay, child);
+      if (progress.candidates.count != 0) {
+        progress.size = size;
+        return child;
+      }
     } else {
       const float end = query.hitT;
       if (testBlocks<Goal>(query, blockRay, child)) {
@@ -532,7 +592,10 @@ HWY_INLINE bool traverse(WideQuery& query) {
     if (child.isEnd())
       return progress.found;
     const float end = query.hitT;
-    progress.found |= query.testObjects(query, child.leafIndex());
+    const Candidates& candidates = progress.candidates;
+    progress.found |= child.holdsObjects() || !Goal::kHandsOver
+                          ? query.testObjects(query, child.leafIndex())
+                          : query.testCandidates(query, candidates.objects, candidates.count);
     if (Goal::kStopsAtAnyHit && progress.found)
       return true;
     if (query.hitT < end)
@@ -542,19 +605,19 @@ HWY_INLINE bool traverse(WideQuery& query) {
 
 struct Nearest {
   static constexpr bool kStopsAtAnyHit = false;
-  static constexpr bool kAsks = false;  ///< whether `WideQuery::accepts` has to be asked
+  static constexpr bool kHandsOver = false;  ///< whether `WideQuery::testCandidates` decides
 };
 struct Any {
   static constexpr bool kStopsAtAnyHit = true;
-  static constexpr bool kAsks = false;
+  static constexpr bool kHandsOver = false;
 };
-struct NearestAccepted {
+struct NearestHandedOver {
   static constexpr bool kStopsAtAnyHit = false;
-  static constexpr bool kAsks = true;
+  static constexpr bool kHandsOver = true;
 };
-struct AnyAccepted {
+struct AnyHandedOver {
   static constexpr bool kStopsAtAnyHit = true;
-  static constexpr bool kAsks = true;
+  static constexpr bool kHandsOver = true;
 };
 
 template <class Goal>
@@ -566,8 +629,8 @@ constexpr WideKernels kernelsNamed(std::string_view name) {
   return {.name = name,
           .findNearest = search<Nearest>,
           .findAny = search<Any>,
-          .findNearestAccepted = search<NearestAccepted>,
-          .findAnyAccepted = search<AnyAccepted>};
+          .handOverForNearest = search<NearestHandedOver>,
+          .handOverForAny = search<AnyHandedOver>};
 }
 
 }  // namespace planetree::detail::HWY_NAMESPACE

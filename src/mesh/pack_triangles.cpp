@@ -61,16 +61,15 @@ class BlockBuilder {
   std::size_t laneCount_ = 0;
 };
 
-}  // namespace
-
-std::size_t packTriangles(const TriangleMeshView<float>& mesh,
-                          std::span<const std::uint32_t> objects, std::uint32_t firstObject,
-                          std::vector<TriangleBlock>& blocks) {
+/// Adds blocks with the objects, whose corners are what `cornersOf` says.
+template <class CornersOf>
+std::size_t packAll(std::span<const std::uint32_t> objects, std::vector<TriangleBlock>& blocks,
+                    const CornersOf& cornersOf) {
   const std::size_t before = blocks.size();
   BlockBuilder builder;
   bool isEmpty = true;
   for (const std::uint32_t object : objects) {
-    const std::array<Vec3f, 3> triangle = mesh.corners(object - firstObject);
+    const std::array<Vec3f, 3> triangle = cornersOf(object);
     if (!builder.add(triangle, object)) {
       blocks.push_back(builder.finish());
       builder = {};
@@ -81,6 +80,26 @@ std::size_t packTriangles(const TriangleMeshView<float>& mesh,
   if (!isEmpty)
     blocks.push_back(builder.finish());
   return blocks.size() - before;
+}
+
+}  // namespace
+
+std::size_t packTriangles(const TriangleMeshView<float>& mesh,
+                          std::span<const std::uint32_t> objects, std::uint32_t firstObject,
+                          std::vector<TriangleBlock>& blocks) {
+  return packAll(objects, blocks,
+                 [&](std::uint32_t object) { return mesh.corners(object - firstObject); });
+}
+
+std::size_t packRoundedTriangles(const TriangleMeshView<double>& mesh,
+                                 std::span<const std::uint32_t> objects, std::uint32_t firstObject,
+                                 const Vec3f& center, std::vector<TriangleBlock>& blocks) {
+  const auto middle = static_cast<Vec3d>(center);
+  return packAll(objects, blocks, [&](std::uint32_t object) -> std::array<Vec3f, 3> {
+    const auto [a, b, c] = mesh.corners(object - firstObject);
+    return {static_cast<Vec3f>(a - middle), static_cast<Vec3f>(b - middle),
+            static_cast<Vec3f>(c - middle)};
+  });
 }
 
 }  // namespace planetree::detail

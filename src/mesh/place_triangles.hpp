@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planetree/detail/object_range.hpp>
 #include <planetree/detail/tree_data.hpp>
 
 #include "node/widen_tree.hpp"
@@ -7,10 +8,17 @@
 namespace planetree::detail {
 
 /// Whether the objects of a geometry are faces that go into blocks.
-[[nodiscard]] bool isTriangleMesh(const GeometryEntry<float>& geometry) noexcept;
+template <class T>
+[[nodiscard]] bool isTriangleMesh(const GeometryEntry<T>& geometry) noexcept {
+  return geometry.intersecting == &faceIntersectionTable<T>();
+}
 
-/// Puts leaves that hold nothing but faces of meshes into blocks; all others, and such as would
-/// take too many blocks, stay leaves of the binary form. The tree must outlive the result.
-[[nodiscard]] PlaceLeaf placeTriangles(const TreeData<float>& tree);
+/// Puts leaves that hold nothing but faces of meshes into blocks, those of meshes in double as
+/// `packRoundedTriangles` does; all others, and such as would take too many blocks, stay leaves of
+/// the binary form. The tree must outlive the result.
+template <class T>
+[[nodiscard]] PlaceLeaf placeTriangles(const TreeData<T>& tree);
+extern template PlaceLeaf placeTriangles(const TreeData<float>&);
+extern template PlaceLeaf placeTriangles(const TreeData<double>&);
 
 }  // namespace planetree::detail

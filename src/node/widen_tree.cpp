@@ -215,15 +215,21 @@ class Widener {
 
 }  // namespace
 
+Vec3f centerOfWideTree(const Box3& bounds) noexcept {
+  Vec3f center;
+  for (const Axis axis : kAxes) {
+    center[axis] = static_cast<float>(
+        0.5 * (static_cast<double>(bounds.lower[axis]) + static_cast<double>(bounds.upper[axis])));
+  }
+  return center;
+}
+
 WideTree widenTree(std::span<const Node> nodes, std::span<const Box3> leafBounds,
                    const Box3& bounds, const PlaceLeaf& placeLeaf) {
   WideTree tree;
   if (bounds.isEmpty())
     return tree;
-  for (const Axis axis : kAxes) {
-    tree.center[axis] = static_cast<float>(
-        0.5 * (static_cast<double>(bounds.lower[axis]) + static_cast<double>(bounds.upper[axis])));
-  }
+  tree.center = centerOfWideTree(bounds);
   Widener(nodes, leafBounds, placeLeaf, tree).run();
   tree.nodes.shrink_to_fit();
   tree.blocks.shrink_to_fit();

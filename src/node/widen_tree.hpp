@@ -17,6 +17,10 @@ namespace planetree::detail {
 using PlaceLeaf =
     std::function<WideChild(std::uint32_t leafIndex, std::vector<TriangleBlock>& blocks)>;
 
+/// What the positions in the wide form are relative to: the middle of the tree's bounds, or a float
+/// next to it within them. NaN if these are empty.
+[[nodiscard]] Vec3f centerOfWideTree(const Box3& bounds) noexcept;
+
 /// The wide form of a binary tree. `leafBounds` has the box of the contents of each leaf, in the
 /// order of the leaves; `bounds` is that of the whole. Linear in the nodes.
 ///

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <type_traits>
 
 namespace planetree::detail {
 namespace {
@@ -92,15 +91,10 @@ BuildOptions optionsFor(const TreeData<T>& tree) {
 
 }  // namespace
 
-template <>
-double intersectionCostOf(const TreeData<double>& tree) noexcept {
-  return tree.options.cost.intersectionCost;
-}
-
-template <>
-double intersectionCostOf(const TreeData<float>& tree) noexcept {
+template <class T>
+double intersectionCostOf(const TreeData<T>& tree) noexcept {
   const bool holdsOnlyFaces =
-      std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh);
+      std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh<T>);
   return holdsOnlyFaces ? tree.options.cost.faceCost : tree.options.cost.intersectionCost;
 }
 
@@ -131,11 +125,9 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     tree.references.shrink_to_fit();
     clock.end("assemble");
 
-    if constexpr (std::is_same_v<T, float>) {
-      tree.wide = std::make_shared<const WideTree>(
-          widenTree(tree.nodes, array.takeLeafBounds(), tree.bounds, placeTriangles(tree)));
-      clock.end("widen");
-    }
+    tree.wide = std::make_shared<const WideTree>(
+        widenTree(tree.nodes, array.takeLeafBounds(), tree.bounds, placeTriangles(tree)));
+    clock.end("widen");
   };
   // An arena of its own keeps the caller's tasks out of the build, and the build out of them.
   tbb::task_arena arena(threadCountFor(options));
@@ -143,6 +135,8 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
   return tree;
 }
 
+template double intersectionCostOf(const TreeData<float>&) noexcept;
+template double intersectionCostOf(const TreeData<double>&) noexcept;
 template TreeData<float> buildTreeData<float>(std::vector<GeometryEntry<float>>,
                                               const BuildOptions&);
 template TreeData<double> buildTreeData<double>(std::vector<GeometryEntry<double>>,

@@ -4,7 +4,7 @@
 #include "traversal/search_wide.hpp"
 #include "traversal/traverse.hpp"
 
-#include <type_traits>
+#include <optional>
 
 namespace planetree {
 namespace {
@@ -19,12 +19,10 @@ bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& opti
     return Goal::kStopsAtAnyHit ? detail::findAnyChoice(request, choices, steps)
                                 : detail::findNearestChoice(request, choices, steps, hit);
   }
-  if constexpr (std::is_same_v<T, float>) {
-    // Steps are those of the binary form.
-    if (!steps) {
-      if (const std::optional<bool> found = detail::searchWide<Goal>(request, hit))
-        return *found;
-    }
+  // Steps are those of the binary form.
+  if (!steps) {
+    if (const std::optional<bool> found = detail::searchWide<Goal>(request, hit))
+      return *found;
   }
   const detail::Query<T> query(request);
   const Node& root = tree.nodes.front();

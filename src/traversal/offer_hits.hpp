@@ -4,7 +4,7 @@
 #include "traversal/search_wide.hpp"
 #include "traversal/traverse.hpp"
 
-#include <type_traits>
+#include <optional>
 
 namespace planetree::detail {
 
@@ -13,12 +13,10 @@ namespace planetree::detail {
 template <class Goal, class T>
 bool offerHits(const Request<T>& request, StepCounts* steps) noexcept {
   Hit<T> unused;
-  if constexpr (std::is_same_v<T, float>) {
-    // Steps are those of the binary form.
-    if (!steps) {
-      if (const std::optional<bool> found = searchWide<Goal>(request, unused))
-        return *found;
-    }
+  // Steps are those of the binary form.
+  if (!steps) {
+    if (const std::optional<bool> found = searchWide<Goal>(request, unused))
+      return *found;
   }
   const Query<T> query(request);
   const Node& root = query.tree.nodes.front();

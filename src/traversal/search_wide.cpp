@@ -1,182 +1,200 @@
 #include "traversal/search_wide.hpp"
 
+#include <planetree/geometry/rounding.hpp>
 #include <planetree/mesh/triangle_intersection.hpp>
+#include <planetree/mesh/triangle_mesh.hpp>
 
-#include "mesh/triangle_hit.hpp"
 #include "node/wide_node.hpp"
 #include "traversal/wide_query.hpp"
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <type_traits>
 
 namespace planetree::detail {
 namespace {
 
-/// A query of the wide form that can also reach what is not in its blocks.
-struct WideSearch : WideQuery {
-  explicit WideSearch(const Request<float>& of) noexcept : request(of), tree(of.tree) {
-    nodes = tree.wide->nodes.data();
-    blocks = tree.wide->blocks.data();
-    root = tree.wide->root;
-    tMin = request.interval.tMin;
-    hitT = request.interval.tMax;
+template <class T>
+bool seesAll(const Request<T>& request) noexcept {
+  return std::all_of(request.tree.geometries.begin(), request.tree.geometries.end(),
+                     [&](const GeometryEntry<T>& entry) { return request.sees(entry); });
+}
+
+/// A query of the wide form, and the answer to everything that kernels cannot decide.
+template <class Goal, class T>
+class WideSearch : public WideQuery {
+ public:
+  WideSearch(const Request<T>& request, Hit<T>& hit) noexcept
+      : request_(request), tree_(request.tree), hit_(hit) {
+    nodes = tree_.wide->nodes.data();
+    blocks = tree_.wide->blocks.data();
+    root = tree_.wide->root;
+    tMin = roundDown(request.interval.tMin);
+    hitT = roundUp(request.interval.tMax);
+    testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
+      return static_cast<WideSearch&>(wide).testLeaf(leafIndex);
+    };
+    testCandidates = [](WideQuery& wide, const std::uint32_t* objects,
+                        std::uint32_t count) noexcept {
+      return static_cast<WideSearch&>(wide).testFaces(std::span(objects, count));
+    };
   }
 
-  /// Sets what the goal asks of each triangle that is hit.
-  template <class Goal>
-  void setAcceptance() noexcept {
-    if constexpr (Goal::kOffersHits) {
-      accepts = [](WideQuery& wide, const TriangleBlock& block, std::uint32_t lane) noexcept {
-        return static_cast<WideSearch&>(wide).offer<Goal>(block, lane);
-      };
-    } else if (!seesAll()) {
-      accepts = [](WideQuery& wide, const TriangleBlock& block, std::uint32_t lane) noexcept {
-        const auto& search = static_cast<const WideSearch&>(wide);
-        return search.sees(geometryOf(search.tree.geometries, block.objects[lane]));
-      };
-    }
+  [[nodiscard]] bool prepareRay() noexcept {
+    if constexpr (std::is_same_v<T, float>)
+      return prepare(request_.asked, tree_.bounds, tree_.wide->center);
+    else
+      return prepare(query().ray, tree_.bounds, tree_.wide->center);
   }
 
-  /// The hit with everything that the kernels leave open.
-  [[nodiscard]] Hitf finishedHit() const noexcept {
-    if (hitBlock == nullptr)
-      return objectHit;
-    const double sum = hitWeights[0] + hitWeights[1] + hitWeights[2];
-    Hitf hit = unfinishedHit();
-    hit.u = static_cast<float>(hitWeights[1] / sum);
-    hit.v = static_cast<float>(hitWeights[2] / sum);
-    hit.normal = triangleNormal(hitBlock->corner(hitLane, 0), hitBlock->corner(hitLane, 1),
-                                hitBlock->corner(hitLane, 2), request.asked.direction);
-    return hit;
-  }
-
-  template <class Goal>
-  [[nodiscard]] bool testLeaf(std::uint32_t leafIndex) noexcept {
-    if constexpr (Goal::kOffersHits)
-      return offerLeaf<Goal>(leafIndex);
-    // Objects of other kinds must know what they compete with.
-    if (hitBlock != nullptr)
-      objectHit = unfinishedHit();
-    Unobserved unobserved;
-    const LeafNode& leaf = tree.nodes[leafIndex].leaf();
-    if (!visitLeaf<Goal>(leaf, query(), objectHit, unobserved))
+  [[nodiscard]] bool run(const WideKernels& kernels) noexcept {
+    const bool handsOver = !std::is_same_v<T, float> || Goal::kOffersHits || !seesAll(request_);
+    if constexpr (Goal::kStopsAtAnyHit)
+      return (handsOver ? kernels.handOverForAny : kernels.findAny)(*this);
+    if (!(handsOver ? kernels.handOverForNearest : kernels.findNearest)(*this))
       return false;
-    if (Goal::kStopsAtAnyHit)
-      return true;
-    hitT = objectHit.t;
-    hitObject = tree.geometries[objectHit.geometry].firstObject + objectHit.primitive;
-    hitBlock = nullptr;
+    if constexpr (!Goal::kOffersHits)
+      finishHit();
     return true;
   }
 
  private:
-  [[nodiscard]] bool sees(std::uint32_t geometry) const noexcept {
-    return (tree.geometries[geometry].mask & request.mask) != 0;
-  }
-
-  /// The sink knows the hits, the kernel only where they end; hence it must not take those that do
-  /// not compete.
-  template <class Goal>
-  [[nodiscard]] bool offer(const TriangleBlock& block, std::uint32_t lane) noexcept {
-    const auto geometries = tree.geometries;
-    const std::uint32_t object = block.objects[lane];
-    const std::uint32_t geometry = geometryOf(geometries, object);
-    if (!sees(geometry))
-      return false;
-    const ShearedRay<float>& ray = query().ray.sheared;
-    const Vec3f a = block.corner(lane, 0);
-    const Vec3f b = block.corner(lane, 1);
-    const Vec3f c = block.corner(lane, 2);
-    HitSink<float>& sink = *request.sink;
-    std::optional<Hitf> hit = sink.crossings ? findTriangleCrossing(ray, a, b, c, tMin, sink.tMax)
-                                             : findTriangleHit(ray, a, b, c, tMin, sink.tMax);
-    if (!hit)
-      return false;
-    hit->geometry = geometry;
-    hit->primitive = object - geometries[geometry].firstObject;
-    const bool isKept = sink.offer(*hit);
-    hitT = sink.tMax;
-    return isKept && !std::is_same_v<Goal, EveryOffer>;
-  }
-
-  template <class Goal>
-  [[nodiscard]] bool offerLeaf(std::uint32_t leafIndex) noexcept {
-    Hitf unused;
-    Unobserved unobserved;
-    const bool isKept =
-        visitLeaf<Goal>(tree.nodes[leafIndex].leaf(), query(), unused, unobserved);
-    hitT = request.sink->tMax;
-    // A triangle at the same t must not be turned away for its number: the sink compares keys.
-    hitObject = kNoId;
-    return isKept;
-  }
-
-  [[nodiscard]] bool seesAll() const noexcept {
-    for (const GeometryEntry<float>& geometry : tree.geometries) {
-      if ((geometry.mask & request.mask) == 0)
-        return false;
-    }
-    return true;
-  }
-
-  /// t and the ids of the best hit, which is on a triangle of a block.
-  [[nodiscard]] Hitf unfinishedHit() const noexcept {
-    const auto geometries = tree.geometries;
-    Hitf hit;
-    hit.t = hitT;
-    hit.geometry = geometryOf(geometries, hitObject);
-    hit.primitive = hitObject - geometries[hit.geometry].firstObject;
-    return hit;
-  }
-
   /// The ray as single objects see it, made when the first of them asks.
-  [[nodiscard]] const Query<float>& query() noexcept {
+  [[nodiscard]] const Query<T>& query() noexcept {
     if (!query_)
-      query_.emplace(request);
+      query_.emplace(request_);
     return *query_;
   }
 
-  const Request<float>& request;
-  const TreeView<float>& tree;
-  std::optional<Query<float>> query_;
-  Hitf objectHit;  ///< the best hit on anything but a triangle of a block
+  [[nodiscard]] bool testLeaf(std::uint32_t leafIndex) noexcept {
+    // Objects of other kinds must know what they compete with.
+    if (hitBlock != nullptr)
+      hit_ = hitInBlock();
+    Unobserved unobserved;
+    const LeafNode& leaf = tree_.nodes[leafIndex].leaf();
+    const bool found = visitLeaf<Goal>(leaf, query(), hit_, unobserved);
+    if (found)
+      normalIsMissing_ = false;
+    return takeOver(found);
+  }
+
+  [[nodiscard]] bool testFaces(std::span<const std::uint32_t> objects) noexcept {
+    bool found = false;
+    for (const std::uint32_t& object : objects) {
+      const std::uint32_t geometry = geometryOf(tree_.geometries, object);
+      const GeometryEntry<T>& entry = tree_.geometries[geometry];
+      if (!request_.sees(entry))
+        continue;
+      if constexpr (Goal::kOffersHits) {
+        const LeafRun run{std::span(&object, 1), entry.firstObject, geometry};
+        found |= entry.intersecting
+                     ->offerHits(entry.range, run, query().ray.sheared, request_.interval.tMin,
+                                 *request_.sink)
+                     .found;
+      } else {
+        found |= testFace(entry, geometry, object - entry.firstObject);
+      }
+      if (Goal::kStopsAtAnyHit && found)
+        return true;
+    }
+    return takeOver(found);
+  }
+
+  /// Leaves the normal to be found for the nearest hit alone.
+  [[nodiscard]] bool testFace(const GeometryEntry<T>& entry, std::uint32_t geometry,
+                              std::uint32_t face) noexcept {
+    const auto [from, to] = request_.interval;
+    const auto [a, b, c] = meshOf(entry).corners(face);
+    const auto at =
+        intersectTriangle(query().ray.sheared, a, b, c, from, hit_.t < to ? hit_.t : to);
+    if (!at)
+      return false;
+    const Hit<T> candidate = {
+        .t = at->t, .u = at->u, .v = at->v, .geometry = geometry, .primitive = face};
+    if (!isBefore(candidate, hit_))
+      return false;
+    hit_ = candidate;
+    normalIsMissing_ = true;
+    return true;
+  }
+
+  /// Shortens the ray to the best hit, or a little beyond: a cell that holds another as near must
+  /// still be met. Returns whether there is a new best one.
+  [[nodiscard]] bool takeOver(bool found) noexcept {
+    if constexpr (Goal::kOffersHits) {
+      hitT = roundUp(request_.sink->tMax);
+    } else if (found && !Goal::kStopsAtAnyHit) {
+      hitT = roundUp(hit_.t);
+      hitObject = tree_.geometries[hit_.geometry].firstObject + hit_.primitive;
+      hitBlock = nullptr;
+    }
+    return found;
+  }
+
+  void finishHit() noexcept {
+    if (hitBlock != nullptr) {
+      hit_ = hitInBlock();
+      const double sum = hitWeights[0] + hitWeights[1] + hitWeights[2];
+      hit_.u = static_cast<T>(hitWeights[1] / sum);
+      hit_.v = static_cast<T>(hitWeights[2] / sum);
+      const auto corner = [&](std::size_t i) {
+        return static_cast<Vec3<T>>(hitBlock->corner(hitLane, i));
+      };
+      hit_.normal = triangleNormal(corner(0), corner(1), corner(2), request_.asked.direction);
+    } else if (normalIsMissing_) {
+      const auto [a, b, c] = meshOf(tree_.geometries[hit_.geometry]).corners(hit_.primitive);
+      hit_.normal = triangleNormal(a, b, c, request_.asked.direction);
+    }
+  }
+
+  /// t and the ids of the best hit, which a kernel found.
+  [[nodiscard]] Hit<T> hitInBlock() const noexcept {
+    Hit<T> hit;
+    hit.t = static_cast<T>(hitT);
+    hit.geometry = geometryOf(tree_.geometries, hitObject);
+    hit.primitive = hitObject - tree_.geometries[hit.geometry].firstObject;
+    return hit;
+  }
+
+  [[nodiscard]] static const TriangleMeshView<T>& meshOf(const GeometryEntry<T>& entry) noexcept {
+    return *static_cast<const TriangleMeshView<T>*>(entry.range);
+  }
+
+  const Request<T>& request_;
+  const TreeView<T>& tree_;
+  Hit<T>& hit_;  ///< the best so far, but for one in a block
+  std::optional<Query<T>> query_;
+  bool normalIsMissing_ = false;
 };
 
 }  // namespace
 
-template <class Goal>
-std::optional<bool> searchWide(const Request<float>& request, Hitf& hit,
+template <class Goal, class T>
+std::optional<bool> searchWide(const Request<T>& request, Hit<T>& hit,
                                const WideKernels& kernels) noexcept {
-  const WideTree* const form = request.tree.wide;
-  if (form == nullptr)
+  if (request.tree.wide == nullptr)
     return std::nullopt;
   if (request.tree.bounds.isEmpty())
     return false;
-  WideSearch search(request);
-  if (!search.prepare(request.asked, request.tree.bounds, form->center))
+  WideSearch<Goal, T> search(request, hit);
+  if (!search.prepareRay())
     return std::nullopt;
-  search.setAcceptance<Goal>();
-  search.testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
-    return static_cast<WideSearch&>(wide).testLeaf<Goal>(leafIndex);
-  };
-  const bool asks = search.accepts != nullptr;
-  if (Goal::kStopsAtAnyHit)
-    return asks ? kernels.findAnyAccepted(search) : kernels.findAny(search);
-  if (!(asks ? kernels.findNearestAccepted(search) : kernels.findNearest(search)))
-    return false;
-  if (Goal::kOffersHits)
-    return true;
-  hit = search.finishedHit();
-  return true;
+  return search.run(kernels);
 }
 
-#define PLANETREE_INSTANTIATE(Goal)                                         \
-  template std::optional<bool> searchWide<Goal>(const Request<float>&, Hitf&, \
+#define PLANETREE_INSTANTIATE(Goal, T)                                      \
+  template std::optional<bool> searchWide<Goal>(const Request<T>&, Hit<T>&, \
                                                 const WideKernels&) noexcept;
-PLANETREE_INSTANTIATE(NearestHit)
-PLANETREE_INSTANTIATE(AnyHit)
-PLANETREE_INSTANTIATE(NearestOffer)
-PLANETREE_INSTANTIATE(AnyOffer)
-PLANETREE_INSTANTIATE(EveryOffer)
+#define PLANETREE_INSTANTIATE_FOR(T)     \
+  PLANETREE_INSTANTIATE(NearestHit, T)   \
+  PLANETREE_INSTANTIATE(AnyHit, T)       \
+  PLANETREE_INSTANTIATE(NearestOffer, T) \
+  PLANETREE_INSTANTIATE(AnyOffer, T)     \
+  PLANETREE_INSTANTIATE(EveryOffer, T)
+PLANETREE_INSTANTIATE_FOR(float)
+PLANETREE_INSTANTIATE_FOR(double)
+#undef PLANETREE_INSTANTIATE_FOR
 #undef PLANETREE_INSTANTIATE
 
 }  // namespace planetree::detail

@@ -107,6 +107,10 @@ struct Request {
         asked(r),
         // A hit at infinity could not be told from a miss. A NaN stays.
         interval{tMin, tMax > kLargest ? kLargest : tMax} {}
+
+  [[nodiscard]] bool sees(const GeometryEntry<T>& geometry) const noexcept {
+    return (geometry.mask & mask) != 0;
+  }
 };
 
 /// A ray on its way through the binary form of a tree.
@@ -151,7 +155,7 @@ bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
     }
     const LeafRun run{rest.first(count), entry.firstObject, geometry};
     rest = rest.subspan(count);
-    if ((entry.mask & query.mask) == 0)
+    if (!query.sees(entry))
       continue;
 
     const auto [tMin, tMax] = query.interval;

@@ -11,8 +11,9 @@
 namespace planetree::detail {
 namespace {
 
-// Between these no product below over- or underflows: t of the farthest plane is at most the largest
-// distance times 2^40 (see `PreparedRay`) over the largest component. docs/numerics.md, section 3.
+// Between these no product below over- or underflows: t of the farthest plane is at most the
+// largest distance times 2^40 (see `PreparedRay`) over the largest component. docs/numerics.md,
+// section 3.
 constexpr float kSmallest = 0x1p-40f;
 constexpr float kLargest = 0x1p+40f;
 

@@ -2,11 +2,13 @@
 
 #include <planetree/geometry/box3.hpp>
 #include <planetree/geometry/ray.hpp>
+#include <planetree/traversal/prepared_ray.hpp>
 
 #include "node/wide_node.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace planetree::detail {
 
@@ -17,6 +19,10 @@ struct WideQuery {
   /// the numbers of the ray are so large or small that the tests of boxes could over- or underflow,
   /// or are no numbers.
   [[nodiscard]] bool prepare(const Rayf& ray, const Box3& bounds, const Vec3f& center) noexcept;
+  /// The same for a tree whose objects are in double, and its positions in blocks relative to the
+  /// center.
+  [[nodiscard]] bool prepare(const PreparedRay<double>& ray, const Box3& bounds,
+                             const Vec3f& center) noexcept;
 
   // --- the tree ---
   const WideNode* nodes = nullptr;
@@ -47,10 +53,18 @@ struct WideQuery {
   /// Tests the objects of a leaf of the binary form; true if that answers the query or lowers
   /// `hitT`.
   bool (*testObjects)(WideQuery& query, std::uint32_t leafIndex) noexcept = nullptr;
-  /// Whether to take the triangle in this lane, which is hit with t in [`tMin`, `hitT`], as the
-  /// best hit; may lower `hitT` by itself if not. Null if the query takes every one.
-  bool (*accepts)(WideQuery& query, const TriangleBlock& block,
-                  std::uint32_t lane) noexcept = nullptr;
+
+  // --- triangles that are handed over ---
+  /// An edge function of rounded corners that is no larger than this times their largest sheared
+  /// coordinate may have the wrong sign. Corners in float are not rounded.
+  float edgeSlack = 0.0f;
+  /// As for boxes, along kz: to tell triangles that lie outside the interval.
+  float depthNearOffset = -std::numeric_limits<float>::infinity();
+  float depthFarOffset = std::numeric_limits<float>::infinity();
+  /// Tests triangles with the corners of their mesh; true if that answers the query or lowers
+  /// `hitT`.
+  bool (*testCandidates)(WideQuery& query, const std::uint32_t* objects,
+                         std::uint32_t count) noexcept = nullptr;
 
   // --- the best hit so far ---
   float hitT = 0.0f;                        ///< at first the end of the interval

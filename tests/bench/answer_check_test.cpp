@@ -61,7 +61,7 @@ struct CheckedBall {
                    .front();
 
   [[nodiscard]] CheckedAnswers honest(bool isExact) const {
-    CheckedAnswers checked{"honest", "mode", isExact, roomForAnswers(set)};
+    CheckedAnswers checked{"honest", "mode", isExact, Precision::Float, roomForAnswers(set)};
     takeAnswers(*planetreeEngines().front()->build(scene.mesh, 1), set, 1, checked.answers);
     return checked;
   }
@@ -115,6 +115,15 @@ TEST(CheckAnswers, OneWrongRayIsAllowedUnlessTheEngineIsExact) {
     liar.answers.hits[sample[100]].primitive = 0;
     EXPECT_EQ(areAcceptable(ball.check({ball.honest(true), liar})), !isExact);
   }
+}
+
+TEST(CheckAnswers, AsksBruteForceInThePrecisionOfTheEngine) {
+  const CheckedBall ball;
+  CheckedAnswers inDouble = ball.honest(true);
+  inDouble.precision = Precision::Double;
+  EXPECT_FALSE(ball.check({inDouble})[0].isAcceptable) << "its hits are those of floats";
+  inDouble.answers = bruteForceAnswers(ball.scene.mesh, ball.set, 2, Precision::Double);
+  EXPECT_TRUE(areAcceptable(ball.check({inDouble, ball.honest(true)})));
 }
 
 TEST(BruteForce, IsTheSameOnAnyNumberOfThreads) {

@@ -62,6 +62,19 @@ TEST_F(BenchCommand, RivalsTakesThreadsAndSingleModes) {
   EXPECT_EQ(resultsFromJson(result.out, "out").at(0).threadCount, 2u);
 }
 
+TEST_F(BenchCommand, RivalsTracesInDoubleOnlyWhereThatModeIsNamed) {
+  const std::string inDouble = "planetree:balanced-watertight-float64";
+  const auto result =
+      rivals({"--engines", inDouble, "--kinds", "random", "--json", "-", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto results = resultsFromJson(result.out, "out");
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].mode, "balanced-watertight");
+  EXPECT_EQ(results[1].mode, "balanced-watertight-float64");
+  EXPECT_TRUE(results[0].isDefault);
+  EXPECT_FALSE(results[1].isDefault);
+}
+
 TEST_F(BenchCommand, WrongUsageEndsWithTwoAndAdvice) {
   const std::vector<std::vector<std::string>> wrong = {
       {},

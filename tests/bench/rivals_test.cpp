@@ -20,6 +20,8 @@ EngineList allEngines() {
       continue;
     for (auto& engine : rival.engines())
       all.push_back(std::move(engine));
+    for (auto& engine : rival.enginesByName ? rival.enginesByName() : EngineList{})
+      all.push_back(std::move(engine));
   }
   return all;
 }
@@ -67,8 +69,8 @@ TEST(Rivals, Embree3HasThreeQualitiesFastAndRobust) {
 TEST(Rivals, AllGiveTheAnswersOfBruteForce) {
   for (const BenchScene& scene : {test::ballScene(), makeScene("waves", test::waves())}) {
     for (const RaySet& set : raysOf(scene)) {
-      const Answers truth = bruteForceAnswers(scene.mesh, set, 1);
       for (const auto& engine : allEngines()) {
+        const Answers truth = bruteForceAnswers(scene.mesh, set, 1, engine->precision());
         Answers answers = roomForAnswers(set);
         takeAnswers(*engine->build(scene.mesh, 2), set, 2, answers);
         const Disagreement found = compareAnswers(answers, truth, scene.diagonal);

@@ -95,7 +95,7 @@ void addCostOptions(CLI::App& app, TreeOptions& options) {
   addTreeOption(
       app, options, "--face-cost",
       [](BuildOptions & build) -> auto& { return build.cost.faceCost; }, parseCost,
-      "The same for a face of a mesh in single precision, in a tree that holds nothing else")
+      "The same for a face of a mesh, in a tree that holds nothing else")
       ->type_name("COST");
   addTreeOption(
       app, options, "--empty-bonus",

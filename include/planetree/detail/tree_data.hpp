@@ -30,10 +30,8 @@ struct TreeData {
 /// What one object in a leaf of the tree costs a query.
 template <class T>
 [[nodiscard]] double intersectionCostOf(const TreeData<T>& tree) noexcept;
-template <>
-[[nodiscard]] double intersectionCostOf(const TreeData<float>& tree) noexcept;
-template <>
-[[nodiscard]] double intersectionCostOf(const TreeData<double>& tree) noexcept;
+extern template double intersectionCostOf(const TreeData<float>&) noexcept;
+extern template double intersectionCostOf(const TreeData<double>&) noexcept;
 
 /// Builds the tree of all objects of the geometries, numbered in their order.
 template <class T>

@@ -10,8 +10,8 @@ namespace planetree {
 struct CostModel {
   double traversalCost = 1.5;     ///< one split node
   double intersectionCost = 1.0;  ///< one object in a leaf
-  /// One face of a mesh in single precision, in place of `intersectionCost`, where a tree holds
-  /// nothing else: many of them are tested at once.
+  /// One face of a mesh, in place of `intersectionCost`, where a tree holds nothing else: many of
+  /// them are tested at once.
   double faceCost = 0.1875;
   /// The part of a split's cost that is forgiven if one side is empty, in [0, 1). Cutting off empty
   /// space pays more than the heuristic sees, since rays then leave the tree early.

@@ -60,6 +60,39 @@ TEST(PackTriangles, GivesSingleTrianglesFiveToABlock) {
   EXPECT_EQ(packAll(mesh).size(), 2u);
 }
 
+TEST(PackRoundedTriangles, KeepsCornersRelativeToTheCenterToHalfAFloat) {
+  const Vec3f center{1e6f, -2e6f, 3e6f};
+  const auto middle = static_cast<Vec3d>(center);
+  const auto mesh = test::detail::scaled(test::detail::soup<double>(33, 50, 0.1), 1.0, middle);
+  std::vector<std::uint32_t> objects(mesh.faces.size());
+  std::iota(objects.begin(), objects.end(), kFirstObject);
+  std::vector<TriangleBlock> blocks;
+  packRoundedTriangles(mesh.view(), objects, kFirstObject, center, blocks);
+  for (const TriangleBlock& block : blocks) {
+    for (std::size_t lane = 0; (block.usedLanes >> lane & 1u) != 0; ++lane) {
+      const auto corners = mesh.view().corners(block.objects[lane] - kFirstObject);
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3d exact = corners[corner] - middle;
+        const auto packed = static_cast<Vec3d>(block.corner(lane, corner));
+        for (const Axis axis : kAxes)
+          EXPECT_LE(std::fabs(packed[axis] - exact[axis]), 0x1p-24 * std::fabs(exact[axis]));
+      }
+    }
+  }
+}
+
+TEST(PackRoundedTriangles, LetsCornersShareAPositionThatRoundToTheSame) {
+  TriangleMesh<double> mesh;
+  for (int i = 0; i < 16; ++i) {
+    const double x = 1.0 + 1e-12 * i;
+    test::detail::addTriangle<double>(mesh, {x, 0, 0}, {x, 1, 0}, {x, 0, 1});
+  }
+  std::vector<std::uint32_t> objects(mesh.faces.size());
+  std::iota(objects.begin(), objects.end(), kFirstObject);
+  std::vector<TriangleBlock> blocks;
+  EXPECT_EQ(packRoundedTriangles(mesh.view(), objects, kFirstObject, {}, blocks), 1u);
+}
+
 TEST(PackTriangles, TellsZerosOfDifferentSignApart) {
   TriangleMesh<float> mesh;
   test::detail::addTriangle<float>(mesh, {0.0f, 1, 2}, {-0.0f, 1, 2}, {3, 4, 5});

@@ -1,11 +1,11 @@
 #include "traversal/search_wide.hpp"
 
-#include "traversal/hit_choices.hpp"
-
 #include <planetree/planetree.hpp>
 
+#include "compare_forms.hpp"
 #include "support/hard_cases.hpp"
 #include "support/random.hpp"
+#include "traversal/hit_choices.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,86 +27,65 @@ std::vector<BuildOptions> buildVariants() {
   return {BuildOptions{}, BuildOptions::textbook(), deep, leaf};
 }
 
-/// What the binary form says; it is compared with brute force elsewhere.
-std::optional<Hitf> askBinaryForm(const TreeView<float>& tree, const Rayf& ray,
-                                  const QueryOptions& options = {}) {
-  StepCounts steps;
-  return findIntersection(tree, ray, options, &steps);
-}
+template <class T>
+class WideForm : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(WideForm, Scalars);
 
-/// Compares all instruction sets with the binary form; returns how many rays the wide form took.
-std::size_t compareForms(const TreeView<float>& tree, const std::vector<Rayf>& rays,
-                         const QueryOptions& options = {}) {
-  std::size_t answeredCount = 0;
-  for (const Rayf& ray : rays) {
-    const std::optional<Hitf> expected = askBinaryForm(tree, ray, options);
-    Query<float> query(tree, ray, ray.tMin, ray.tMax);
-    query.mask = options.mask;
-    for (const WideKernels& kernels : supportedWideKernels()) {
-      Hitf hit;
-      const std::optional<bool> found = searchWide<NearestHit>(query, hit, kernels);
-      if (!found)
-        continue;
-      ++answeredCount;
-      EXPECT_EQ(*found, expected.has_value()) << kernels.name;
-      EXPECT_EQ(hit, expected.value_or(Hitf{})) << kernels.name;
-      Hitf unused;
-      EXPECT_EQ(searchWide<AnyHit>(query, unused, kernels), expected.has_value()) << kernels.name;
-    }
-  }
-  return answeredCount;
-}
-
-TEST(WideForm, AgreesBitForBitWithTheBinaryFormOnEveryInstructionSet) {
+TYPED_TEST(WideForm, AgreesBitForBitWithTheBinaryFormOnEveryInstructionSet) {
+  using T = TypeParam;
   std::uint64_t salt = 4000;
-  for (const test::HardMesh<float>& hard : test::hardMeshes<float>()) {
+  for (const test::HardMesh<T>& hard : test::hardMeshes<T>()) {
     for (const BuildOptions& options : buildVariants()) {
       SCOPED_TRACE(hard.name + ", " + test::describeSeed());
       const auto tree = buildTree(hard.mesh.view(), options);
       compareForms(tree.view(), test::hardRays(hard.mesh, tree.bounds(), 200, ++salt));
-      compareForms(tree.view(), test::invalidRays<float>());
-      if (HasFailure())
+      compareForms(tree.view(), test::invalidRays<T>());
+      if (this->HasFailure())
         return;
     }
   }
 }
 
 /// All hits that the options accept, by one set of kernels; nothing if they leave the ray alone.
-std::optional<std::vector<Hitf>> askForAll(const TreeView<float>& tree, const Rayf& ray,
-                                           const QueryOptions& options,
-                                           const WideKernels& kernels) {
-  std::vector<Hitf> hits(200);
-  const HitChoices<float> choices{options, ray.direction};
-  Query<float> query(tree, ray, ray.tMin, ray.tMax);
-  query.mask = options.mask;
-  ListSink<float> sink(choices, query.interval.tMax, hits);
-  query.sink = &sink;
-  Hitf unused;
-  if (!searchWide<EveryOffer>(query, unused, kernels))
+template <class T>
+std::optional<std::vector<Hit<T>>> askForAll(const TreeView<T>& tree, const Ray<T>& ray,
+                                             const QueryOptions& options,
+                                             const WideKernels& kernels) {
+  std::vector<Hit<T>> hits(200);
+  const HitChoices<T> choices{options, ray.direction};
+  Request<T> request(tree, ray, ray.tMin, ray.tMax);
+  request.mask = options.mask;
+  ListSink<T> sink(choices, request.interval.tMax, hits);
+  request.sink = &sink;
+  Hit<T> unused;
+  if (!searchWide<EveryOffer>(request, unused, kernels))
     return std::nullopt;
   hits.resize(sink.count());
   return hits;
 }
 
-TEST(WideForm, FindsAllHitsOnEveryInstructionSet) {
+TYPED_TEST(WideForm, FindsAllHitsOnEveryInstructionSet) {
+  using T = TypeParam;
   test::Random random(21);
-  std::vector<Sphere<float>> spheres;
+  std::vector<Sphere<T>> spheres;
   for (int i = 0; i < 60; ++i) {
-    spheres.push_back({random.pointIn<float>({-1, -1, -1}, {1, 1, 1}),
-                       static_cast<float>(random.between(0.02, 0.2))});
+    spheres.push_back(
+        {random.pointIn<T>({-1, -1, -1}, {1, 1, 1}), static_cast<T>(random.between(0.02, 0.2))});
   }
-  Scene<float> scene;
-  scene.add(test::detail::soup<float>(22, 300, 0.3), {.mask = 1});
+  Scene<T> scene;
+  scene.add(test::detail::soup<T>(22, 300, 0.3), {.mask = 1});
   scene.add(std::move(spheres), {.mask = 2});
   const auto tree = buildTree(scene);
-  const HitFilter filter([](const Hitf& hit, void*) noexcept { return (hit.primitive & 3u) != 0; });
+  const HitFilter filter(
+      [](const Hit<T>& hit, void*) noexcept { return (hit.primitive & 3u) != 0; });
   const std::vector<QueryOptions> choices = {
       {}, {.mask = 1}, {.cullsBackFaces = true}, {.crossings = true}, {.filter = filter}};
-  for (const Rayf& ray : test::hardRays(TriangleMesh<float>{}, tree.bounds(), 500, 23)) {
+  for (const Ray<T>& ray : test::hardRays(TriangleMesh<T>{}, tree.bounds(), 500, 23)) {
     for (const QueryOptions& options : choices) {
       StepCounts steps;
-      std::vector<Hitf> expected(200);
-      const FoundHits found = findIntersections<float>(tree.view(), ray, expected, options, &steps);
+      std::vector<Hit<T>> expected(200);
+      const FoundHits found = findIntersections<T>(tree.view(), ray, expected, options, &steps);
       expected.resize(found.count);
       for (const WideKernels& kernels : supportedWideKernels()) {
         ASSERT_EQ(askForAll(tree.view(), ray, options, kernels).value_or(expected), expected)
@@ -116,39 +95,43 @@ TEST(WideForm, FindsAllHitsOnEveryInstructionSet) {
   }
 }
 
-TEST(WideForm, HoldsShapesBesideBlocksOfTriangles) {
+TYPED_TEST(WideForm, HoldsShapesBesideBlocksOfTriangles) {
+  using T = TypeParam;
   test::Random random(11);
-  std::vector<Sphere<float>> spheres;
+  std::vector<Sphere<T>> spheres;
   for (int i = 0; i < 60; ++i) {
-    spheres.push_back({random.pointIn<float>({-1, -1, -1}, {1, 1, 1}),
-                       static_cast<float>(random.between(0.02, 0.2))});
+    spheres.push_back(
+        {random.pointIn<T>({-1, -1, -1}, {1, 1, 1}), static_cast<T>(random.between(0.02, 0.2))});
   }
-  Scene<float> scene;
-  scene.add(test::detail::soup<float>(12, 300, 0.1), {.mask = 1});
+  Scene<T> scene;
+  scene.add(test::detail::soup<T>(12, 300, 0.1), {.mask = 1});
   scene.add(std::move(spheres), {.mask = 2});
-  scene.add(test::detail::soup<float>(13, 300, 0.1), {.mask = 4});
+  scene.add(test::detail::soup<T>(13, 300, 0.1), {.mask = 4});
   const auto tree = buildTree(scene);
-  const auto rays = test::hardRays(TriangleMesh<float>{}, tree.bounds(), 1500, 14);
+  const auto rays = test::hardRays(TriangleMesh<T>{}, tree.bounds(), 1500, 14);
   for (const std::uint32_t mask : {0xFFFF'FFFFu, 1u, 2u, 5u, 8u}) {
     SCOPED_TRACE(mask);
     EXPECT_GT(compareForms(tree.view(), rays, {.mask = mask}), rays.size() / 2);
   }
 }
 
-TEST(WideForm, LeavesRaysBeyondItsRangeToTheBinaryForm) {
-  const auto tree = buildTree(test::detail::soup<float>(15, 100, 0.3));
-  for (const float scale : {0x1p-60f, 0x1p+60f}) {
-    const Rayf ray{.origin = {0, 0, 3}, .direction = {0, 0, -scale}};
-    const Query<float> query(tree.view(), ray, ray.tMin, ray.tMax);
-    Hitf hit;
-    EXPECT_EQ(searchWide<NearestHit>(query, hit), std::nullopt);
-    EXPECT_EQ(tree.findIntersection(ray), askBinaryForm(tree.view(), ray));
+TYPED_TEST(WideForm, LeavesRaysBeyondItsRangeToTheBinaryForm) {
+  using T = TypeParam;
+  const auto tree = buildTree(test::detail::soup<T>(15, 100, 0.3));
+  for (const T scale : {T(0x1p-60), T(0x1p+60)}) {
+    const Ray<T> ray{.origin = {0, 0, 3}, .direction = {0, 0, -scale}};
+    const TreeView<T> view = tree.view();
+    const Request<T> request(view, ray, ray.tMin, ray.tMax);
+    Hit<T> hit;
+    EXPECT_EQ(searchWide<NearestHit>(request, hit), std::nullopt);
+    EXPECT_EQ(tree.findIntersection(ray), askBinaryForm(view, ray));
   }
 }
 
-TEST(WideForm, AnswersAlmostAllRaysOfOrdinaryScenes) {
-  const auto tree = buildTree(test::detail::soup<float>(16, 500, 0.1));
-  const auto rays = test::hardRays(TriangleMesh<float>{}, tree.bounds(), 500, 17);
+TYPED_TEST(WideForm, AnswersAlmostAllRaysOfOrdinaryScenes) {
+  using T = TypeParam;
+  const auto tree = buildTree(test::detail::soup<T>(16, 500, 0.1));
+  const auto rays = test::hardRays(TriangleMesh<T>{}, tree.bounds(), 500, 17);
   EXPECT_EQ(compareForms(tree.view(), rays), rays.size() * supportedWideKernels().size());
 }
 

@@ -1,0 +1,95 @@
+#include "traversal/wide_query.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planetree::detail {
+namespace {
+
+// How far floats are from the doubles they stand for: docs/numerics.md, section 3. All in terms of
+// the unit roundoff of float and of the largest distance, along an axis, between the center of the
+// tree and the ray's origin and a corner, one after the other.
+constexpr double kRoundoffOfFloat = 0x1p-24;
+constexpr double kBoxSlackInRoundoffs = 5.0;
+constexpr double kEdgeSlackInRoundoffs = 48.0;
+/// A direction whose component is smaller than this part of the largest one looks parallel to a
+/// plane, as `PreparedRay<float>` has it.
+constexpr double kNearParallelOfFloat = 0x1p-40;
+
+// Between these no product of floats overflows, and what underflows is far below the slack.
+constexpr double kSmallestDirection = 0x1p-40;
+constexpr double kLargestDirection = 0x1p+40;
+constexpr double kSmallestReach = 0x1p-36;
+constexpr double kLargestReach = 0x1p+40;
+
+/// A query of a tree of doubles.
+
+/// The largest distance along an axis from the ray's origin to the center of the tree and on to a
+/// corner. `origin` is relative to the center.
+double reachFrom(const Vec3d& origin, const Box3& bounds, const Vec3d& center) noexcept {
+  double reach = 0.0;
+  for (const Axis axis : kAxes) {
+    const double below = center[axis] - static_cast<double>(bounds.lower[axis]);
+    const double above = static_cast<double>(bounds.upper[axis]) - center[axis];
+    reach = std::max(reach, std::fabs(origin[axis]) + std::max(below, above));
+  }
+  return reach;
+}
+
+void prepareForBlocks(const ShearedRay<double>& sheared, const Vec3d& origin, double distance,
+                      WideQuery& query) noexcept {
+  query.kx = static_cast<std::uint32_t>(sheared.kx);
+  query.ky = static_cast<std::uint32_t>(sheared.ky);
+  query.kz = static_cast<std::uint32_t>(sheared.kz);
+  query.originX = static_cast<float>(origin[sheared.kx]);
+  query.originY = static_cast<float>(origin[sheared.ky]);
+  query.originZ = static_cast<float>(origin[sheared.kz]);
+  query.shearX = static_cast<float>(sheared.shearX);
+  query.shearY = static_cast<float>(sheared.shearY);
+  query.directionZ = static_cast<float>(sheared.ray.direction[sheared.kz]);
+  query.edgeSlack = static_cast<float>(kEdgeSlackInRoundoffs * kRoundoffOfFloat * distance);
+}
+
+void prepareForBoxes(const PreparedRay<double>& ray, const Vec3d& origin, double distance,
+                     WideQuery& query) noexcept {
+  const double largestInverse =
+      std::fabs(ray.along(ray.sheared.kz).inverseDirection) / kNearParallelOfFloat;
+  const double slack = kBoxSlackInRoundoffs * kRoundoffOfFloat * distance;
+  query.octant = 0;
+  for (const Axis axis : kAxes) {
+    const auto a = static_cast<std::size_t>(axis);
+    const AxisRay<double>& along = ray.along(axis);
+    const double size = std::min(std::fabs(along.inverseDirection), largestInverse);
+    const double perUnit = std::copysign(size, along.inverseDirection);
+    const double toCenter = -origin[axis] * perUnit;
+    query.inverse[a] = static_cast<float>(perUnit);
+    query.nearOffset[a] = static_cast<float>(toCenter - slack * size);
+    query.farOffset[a] = static_cast<float>(toCenter + slack * size);
+    query.octant |= static_cast<std::uint32_t>(along.fromAbove) << a;
+  }
+  query.depthNearOffset = query.nearOffset[query.kz];
+  query.depthFarOffset = query.farOffset[query.kz];
+}
+
+}  // namespace
+
+bool WideQuery::prepare(const PreparedRay<double>& ray, const Box3& bounds,
+                        const Vec3f& center) noexcept {
+  const ShearedRay<double>& sheared = ray.sheared;
+  const double largestComponent = std::fabs(sheared.ray.direction[sheared.kz]);
+  const auto middle = static_cast<Vec3d>(center);
+  const Vec3d origin = sheared.ray.origin - middle;
+  const double distance = reachFrom(origin, bounds, middle);
+  // False for NaN.
+  const bool isInRange = largestComponent >= kSmallestDirection &&
+                         largestComponent <= kLargestDirection && distance >= kSmallestReach &&
+                         distance <= kLargestReach;
+  if (!ray.isValid() || !isInRange)
+    return false;
+  prepareForBlocks(sheared, origin, distance, *this);
+  prepareForBoxes(ray, origin, distance, *this);
+  reach = static_cast<float>(distance);
+  return true;
+}
+
+}  // namespace planetree::detail
