@@ -61,45 +61,53 @@ class BlockBuilder {
   std::size_t laneCount_ = 0;
 };
 
-/// Adds blocks with the objects, whose corners are what `cornersOf` says.
-template <class CornersOf>
-std::size_t packAll(std::span<const std::uint32_t> objects, std::vector<TriangleBlock>& blocks,
-                    const CornersOf& cornersOf) {
-  const std::size_t before = blocks.size();
+/// Adds blocks with the faces, whose corners stand in them as `cornersInBlock` says.
+template <class T, class CornersInBlock>
+void packAll(const TriangleMeshView<T>& mesh, std::span<const std::uint32_t> objects,
+             std::uint32_t firstObject, std::vector<TriangleBlock>& blocks,
+             std::vector<Box3>& bounds, const CornersInBlock& cornersInBlock) {
   BlockBuilder builder;
-  bool isEmpty = true;
-  for (const std::uint32_t object : objects) {
-    const std::array<Vec3f, 3> triangle = cornersOf(object);
-    if (!builder.add(triangle, object)) {
-      blocks.push_back(builder.finish());
-      builder = {};
-      builder.add(triangle, object);
-    }
-    isEmpty = false;
-  }
-  if (!isEmpty)
+  Box3 box;
+  const auto finish = [&] {
     blocks.push_back(builder.finish());
-  return blocks.size() - before;
+    bounds.push_back(box);
+    builder = {};
+    box = {};
+  };
+  for (const std::uint32_t object : objects) {
+    const std::array<Vec3<T>, 3> triangle = mesh.corners(object - firstObject);
+    const std::array<Vec3f, 3> corners = cornersInBlock(triangle);
+    if (!builder.add(corners, object)) {
+      finish();
+      builder.add(corners, object);
+    }
+    for (const Vec3<T>& corner : triangle)
+      box.extend(corner);
+  }
+  if (!objects.empty())
+    finish();
 }
 
 }  // namespace
 
-std::size_t packTriangles(const TriangleMeshView<float>& mesh,
-                          std::span<const std::uint32_t> objects, std::uint32_t firstObject,
-                          std::vector<TriangleBlock>& blocks) {
-  return packAll(objects, blocks,
-                 [&](std::uint32_t object) { return mesh.corners(object - firstObject); });
+void packTriangles(const TriangleMeshView<float>& mesh, std::span<const std::uint32_t> objects,
+                   std::uint32_t firstObject, std::vector<TriangleBlock>& blocks,
+                   std::vector<Box3>& bounds) {
+  packAll(mesh, objects, firstObject, blocks, bounds,
+          [](const std::array<Vec3f, 3>& corners) { return corners; });
 }
 
-std::size_t packRoundedTriangles(const TriangleMeshView<double>& mesh,
-                                 std::span<const std::uint32_t> objects, std::uint32_t firstObject,
-                                 const Vec3f& center, std::vector<TriangleBlock>& blocks) {
+void packRoundedTriangles(const TriangleMeshView<double>& mesh,
+                          std::span<const std::uint32_t> objects, std::uint32_t firstObject,
+                          const Vec3f& center, std::vector<TriangleBlock>& blocks,
+                          std::vector<Box3>& bounds) {
   const auto middle = static_cast<Vec3d>(center);
-  return packAll(objects, blocks, [&](std::uint32_t object) -> std::array<Vec3f, 3> {
-    const auto [a, b, c] = mesh.corners(object - firstObject);
-    return {static_cast<Vec3f>(a - middle), static_cast<Vec3f>(b - middle),
-            static_cast<Vec3f>(c - middle)};
-  });
+  packAll(mesh, objects, firstObject, blocks, bounds,
+          [&](const std::array<Vec3d, 3>& corners) -> std::array<Vec3f, 3> {
+            return {static_cast<Vec3f>(corners[0] - middle),
+                    static_cast<Vec3f>(corners[1] - middle),
+                    static_cast<Vec3f>(corners[2] - middle)};
+          });
 }
 
 }  // namespace planetree::detail

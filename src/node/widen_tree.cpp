@@ -12,6 +12,8 @@ namespace planetree::detail {
 namespace {
 
 constexpr std::size_t kSlotCount = WideNode::kSlotCount;
+constexpr std::size_t kBlocksTestedInARow = 3;
+static_assert(kBlocksTestedInARow <= WideChild::kMaxBlockCount);
 constexpr std::size_t kNoChild = std::numeric_limits<std::size_t>::max();
 
 /// The cheapest way to give a subtree of the binary form at most so many slots.
@@ -37,11 +39,11 @@ struct Branch {
 
 class Widener {
  public:
-  Widener(std::span<const Node> nodes, std::span<const Box3> leafBounds, const PlaceLeaf& placeLeaf,
+  Widener(std::span<const Node> nodes, std::span<const Box3> leafBounds, const PackLeaf& packLeaf,
           WideTree& tree)
       : nodes_(nodes),
         leafBounds_(leafBounds),
-        placeLeaf_(placeLeaf),
+        packLeaf_(packLeaf),
         tree_(tree),
         bounds_(nodes.size()),
         plans_(nodes.size()) {}
@@ -110,13 +112,8 @@ class Widener {
   /// Makes what a slot with this subtree leads to.
   WideChild place(std::size_t node) {
     if (nodes_[node].isLeaf())
-      return placeLeaf_(static_cast<std::uint32_t>(node), tree_.blocks);
-    const std::size_t index = tree_.nodes.size();
-    if (index > WideChild::kMaxNodeIndex) {
-      throw Error(ErrorCode::CapacityExceeded, "the wide form of the tree has too many nodes",
-                  "Raise leafSize, or divide the scene into several trees.");
-    }
-    tree_.nodes.emplace_back();
+      return placeLeaf(node);
+    const std::size_t index = addNode();
     std::vector<Branch> branches;
     std::size_t slotCount = 0;
     branchOut(node, kSlotCount, plans_[node].leftSlotsOfNode, branches, slotCount);
@@ -132,6 +129,58 @@ class Widener {
       if (branch.slot != kNoChild)
         wide.children[branch.slot] = place(branch.binary);
     }
+    tree_.nodes[index] = wide;
+    return WideChild::node(static_cast<std::uint32_t>(index));
+  }
+
+  std::size_t addNode() {
+    if (tree_.nodes.size() > WideChild::kMaxNodeIndex) {
+      throw Error(ErrorCode::CapacityExceeded, "the wide form of the tree has too many nodes",
+                  "Raise leafSize, or divide the scene into several trees.");
+    }
+    tree_.nodes.emplace_back();
+    return tree_.nodes.size() - 1;
+  }
+
+  WideChild placeLeaf(std::size_t node) {
+    const std::size_t first = tree_.blocks.size();
+    std::vector<Box3> bounds;
+    if (!packLeaf_(static_cast<std::uint32_t>(node), tree_.blocks, bounds))
+      return WideChild::objects(static_cast<std::uint32_t>(node));
+    if (tree_.blocks.size() > WideChild::kMaxBlockIndex) {
+      tree_.blocks.resize(first);
+      return WideChild::objects(static_cast<std::uint32_t>(node));
+    }
+    for (Box3& box : bounds)
+      box = intersection(box, bounds_[node]);
+    return placeBlocks(first, bounds);
+  }
+
+  /// A few blocks are tested one after the other; more of them get boxes of their own, in nodes
+  /// whose order does not matter: these boxes overlap.
+  WideChild placeBlocks(std::size_t first, std::span<const Box3> bounds) {
+    if (bounds.size() <= kBlocksTestedInARow) {
+      return WideChild::blocks(static_cast<std::uint32_t>(first),
+                               static_cast<std::uint32_t>(bounds.size()));
+    }
+    const std::size_t index = addNode();
+    WideNode wide = emptyNode();
+    std::array<std::uint8_t, kSlotCount> slots = {};
+    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+      slots[slot] = static_cast<std::uint8_t>(slot);
+      const std::size_t begin = bounds.size() * slot / kSlotCount;
+      const auto part = bounds.subspan(begin, bounds.size() * (slot + 1) / kSlotCount - begin);
+      if (part.empty())
+        continue;
+      Box3 box;
+      for (const Box3& each : part)
+        box.extend(each);
+      if (box.isEmpty())
+        continue;
+      setBounds(wide, slot, box);
+      wide.children[slot] = placeBlocks(first + begin, part);
+    }
+    wide.orders.fill(SlotOrder(slots));
     tree_.nodes[index] = wide;
     return WideChild::node(static_cast<std::uint32_t>(index));
   }
@@ -207,7 +256,7 @@ class Widener {
 
   std::span<const Node> nodes_;
   std::span<const Box3> leafBounds_;
-  const PlaceLeaf& placeLeaf_;
+  const PackLeaf& packLeaf_;
   WideTree& tree_;
   std::vector<Box3> bounds_;
   std::vector<SlotPlan> plans_;
@@ -225,12 +274,12 @@ Vec3f centerOfWideTree(const Box3& bounds) noexcept {
 }
 
 WideTree widenTree(std::span<const Node> nodes, std::span<const Box3> leafBounds,
-                   const Box3& bounds, const PlaceLeaf& placeLeaf) {
+                   const Box3& bounds, const PackLeaf& packLeaf) {
   WideTree tree;
   if (bounds.isEmpty())
     return tree;
   tree.center = centerOfWideTree(bounds);
-  Widener(nodes, leafBounds, placeLeaf, tree).run();
+  Widener(nodes, leafBounds, packLeaf, tree).run();
   tree.nodes.shrink_to_fit();
   tree.blocks.shrink_to_fit();
   return tree;

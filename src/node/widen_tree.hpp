@@ -12,10 +12,10 @@
 
 namespace planetree::detail {
 
-/// Puts the objects of a leaf that has some where a wide tree finds them: as blocks behind those
-/// that are there, or left in the leaf.
-using PlaceLeaf =
-    std::function<WideChild(std::uint32_t leafIndex, std::vector<TriangleBlock>& blocks)>;
+/// Adds the objects of a leaf that has some to the blocks, and the box around each new block to
+/// `bounds`. False, and no change, if they do not go into blocks: then they are left in the leaf.
+using PackLeaf = std::function<bool(std::uint32_t leafIndex, std::vector<TriangleBlock>& blocks,
+                                    std::vector<Box3>& bounds)>;
 
 /// What the positions in the wide form are relative to: the middle of the tree's bounds, or a float
 /// next to it within them. NaN if these are empty.
@@ -26,10 +26,10 @@ using PlaceLeaf =
 ///
 /// Which subtrees become nodes of their own is chosen so that the area of all wide nodes, and with
 /// it the number that a random ray visits, is smallest: by dynamic programming over the number of
-/// slots that a subtree may take. Ylitie, Karras, Laine, "Efficient incoherent ray traversal on
-/// GPUs through compressed wide BVHs", HPG 2017; here for a kd-tree, whose empty cells take no
-/// slot.
+/// slots that a subtree may take. Leaves of many blocks become nodes, too. Ylitie, Karras, Laine,
+/// "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", HPG 2017; here for a
+/// kd-tree, whose empty cells take no slot.
 [[nodiscard]] WideTree widenTree(std::span<const Node> nodes, std::span<const Box3> leafBounds,
-                                 const Box3& bounds, const PlaceLeaf& placeLeaf);
+                                 const Box3& bounds, const PackLeaf& packLeaf);
 
 }  // namespace planetree::detail

@@ -2,7 +2,7 @@
 #include <planetree/detail/tree_data.hpp>
 #include <planetree/error.hpp>
 
-#include "mesh/place_triangles.hpp"
+#include "mesh/pack_leaf.hpp"
 #include "node/node_array.hpp"
 #include "node/widen_tree.hpp"
 #include "split/bound_objects.hpp"
@@ -126,7 +126,7 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     clock.end("assemble");
 
     tree.wide = std::make_shared<const WideTree>(
-        widenTree(tree.nodes, array.takeLeafBounds(), tree.bounds, placeTriangles(tree)));
+        widenTree(tree.nodes, array.takeLeafBounds(), tree.bounds, packTrianglesOf(tree)));
     clock.end("widen");
   };
   // An arena of its own keeps the caller's tasks out of the build, and the build out of them.

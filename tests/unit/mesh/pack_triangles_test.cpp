@@ -15,12 +15,28 @@ namespace {
 
 constexpr std::uint32_t kFirstObject = 100;
 
+/// Each box is that of the faces in its block, no larger.
+template <class T>
+void expectBounds(const std::vector<TriangleBlock>& blocks, const std::vector<Box3>& bounds,
+                  const TriangleMesh<T>& mesh) {
+  ASSERT_EQ(bounds.size(), blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    Box3 box;
+    for (std::size_t lane = 0; (blocks[i].usedLanes >> lane & 1u) != 0; ++lane) {
+      for (const Vec3<T>& corner : mesh.view().corners(blocks[i].objects[lane] - kFirstObject))
+        box.extend(corner);
+    }
+    EXPECT_EQ(bounds[i], box);
+  }
+}
+
 std::vector<TriangleBlock> packAll(const TriangleMesh<float>& mesh) {
   std::vector<std::uint32_t> objects(mesh.faces.size());
   std::iota(objects.begin(), objects.end(), kFirstObject);
   std::vector<TriangleBlock> blocks;
-  const std::size_t count = packTriangles(mesh.view(), objects, kFirstObject, blocks);
-  EXPECT_EQ(count, blocks.size());
+  std::vector<Box3> bounds;
+  packTriangles(mesh.view(), objects, kFirstObject, blocks, bounds);
+  expectBounds(blocks, bounds, mesh);
   return blocks;
 }
 
@@ -67,7 +83,9 @@ TEST(PackRoundedTriangles, KeepsCornersRelativeToTheCenterToHalfAFloat) {
   std::vector<std::uint32_t> objects(mesh.faces.size());
   std::iota(objects.begin(), objects.end(), kFirstObject);
   std::vector<TriangleBlock> blocks;
-  packRoundedTriangles(mesh.view(), objects, kFirstObject, center, blocks);
+  std::vector<Box3> bounds;
+  packRoundedTriangles(mesh.view(), objects, kFirstObject, center, blocks, bounds);
+  expectBounds(blocks, bounds, mesh);
   for (const TriangleBlock& block : blocks) {
     for (std::size_t lane = 0; (block.usedLanes >> lane & 1u) != 0; ++lane) {
       const auto corners = mesh.view().corners(block.objects[lane] - kFirstObject);
@@ -90,7 +108,9 @@ TEST(PackRoundedTriangles, LetsCornersShareAPositionThatRoundToTheSame) {
   std::vector<std::uint32_t> objects(mesh.faces.size());
   std::iota(objects.begin(), objects.end(), kFirstObject);
   std::vector<TriangleBlock> blocks;
-  EXPECT_EQ(packRoundedTriangles(mesh.view(), objects, kFirstObject, {}, blocks), 1u);
+  std::vector<Box3> bounds;
+  packRoundedTriangles(mesh.view(), objects, kFirstObject, {}, blocks, bounds);
+  EXPECT_EQ(blocks.size(), 1u);
 }
 
 TEST(PackTriangles, TellsZerosOfDifferentSignApart) {

@@ -13,12 +13,12 @@ template <class T>
   return geometry.intersecting == &faceIntersectionTable<T>();
 }
 
-/// Puts leaves that hold nothing but faces of meshes into blocks, those of meshes in double as
-/// `packRoundedTriangles` does; all others, and such as would take too many blocks, stay leaves of
-/// the binary form. The tree must outlive the result.
+/// Packs leaves that hold nothing but faces of meshes, those of meshes in double as
+/// `packRoundedTriangles` does; all others stay leaves of the binary form. The tree must outlive
+/// the result.
 template <class T>
-[[nodiscard]] PlaceLeaf placeTriangles(const TreeData<T>& tree);
-extern template PlaceLeaf placeTriangles(const TreeData<float>&);
-extern template PlaceLeaf placeTriangles(const TreeData<double>&);
+[[nodiscard]] PackLeaf packTrianglesOf(const TreeData<T>& tree);
+extern template PackLeaf packTrianglesOf(const TreeData<float>&);
+extern template PackLeaf packTrianglesOf(const TreeData<double>&);
 
 }  // namespace planetree::detail
