@@ -300,19 +300,13 @@ HWY_INLINE std::size_t pushNearestLast(const WideNode& node, std::uint32_t octan
 /// and subtractions only, so that each is rounded as it is in the test of a single triangle.
 class BlockRay {
  public:
-  explicit HWY_INLINE BlockRay(const WideQuery& query)
-      : query_(query),
-        originX_(hn::Set(FloatTag(), query.originX)),
-        originY_(hn::Set(FloatTag(), query.originY)),
-        originZ_(hn::Set(FloatTag(), query.originZ)),
-        shearX_(hn::Set(FloatTag(), query.shearX)),
-        shearY_(hn::Set(FloatTag(), query.shearY)) {
+  explicit HWY_INLINE BlockRay(const WideQuery& query) : query_(query) {
     // In parts of twice the largest t of a corner: nothing here over- or underflows.
     constexpr float kBeyondAll = 2.0f;
     const float perUnit = std::fabs(query.directionZ) / (2.0f * query.reach);
-    depthPerZ_ = hn::Set(FloatTag(), perUnit / query.directionZ);
-    least_ = hn::Set(FloatTag(), HWY_MAX(query.tMin * perUnit, -kBeyondAll));
-    greatest_ = hn::Set(FloatTag(), HWY_MIN(query.hitT * perUnit, kBeyondAll));
+    depthPerZ_ = perUnit / query.directionZ;
+    least_ = HWY_MAX(query.tMin * perUnit, -kBeyondAll);
+    greatest_ = HWY_MIN(query.hitT * perUnit, kBeyondAll);
   }
 
   /// The lanes whose edge functions do not have both signs: those that can be hit, and no others
@@ -330,13 +324,16 @@ class BlockRay {
     Lanes depth;
     forEachVector([&](auto i) {
       const std::size_t at = i * kLanesPerVector;
-      const Floats z = hn::Sub(hn::Load(d, block.positions[query_.kz] + at), originZ_);
-      x.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.kx] + at), originX_),
-                             hn::Mul(shearX_, z));
-      y.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.ky] + at), originY_),
-                             hn::Mul(shearY_, z));
+      const Floats z =
+          hn::Sub(hn::Load(d, block.positions[query_.kz] + at), everywhere(query_.originZ));
+      x.vectors[i] =
+          hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.kx] + at), everywhere(query_.originX)),
+                  hn::Mul(everywhere(query_.shearX), z));
+      y.vectors[i] =
+          hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.ky] + at), everywhere(query_.originY)),
+                  hn::Mul(everywhere(query_.shearY), z));
       if constexpr (kTestsDepth)
-        depth.vectors[i] = hn::Mul(z, depthPerZ_);
+        depth.vectors[i] = hn::Mul(z, everywhere(depthPerZ_));
     });
     Mask isCandidate[kVectorCount];
     forEachVector([&](auto i) {
@@ -376,8 +373,10 @@ class BlockRay {
         const Floats weighted =
             hn::MulAdd(uSize, pick(depth, a),
                        hn::MulAdd(vSize, pick(depth, b), hn::Mul(wSize, pick(depth, c))));
-        const Mask isBehindStart = hn::Ge(hn::Add(weighted, slack), hn::Mul(sum, least_));
-        const Mask isBeforeEnd = hn::Le(hn::Sub(weighted, slack), hn::Mul(sum, greatest_));
+        const Mask isBehindStart =
+            hn::Ge(hn::Add(weighted, slack), hn::Mul(sum, everywhere(least_)));
+        const Mask isBeforeEnd =
+            hn::Le(hn::Sub(weighted, slack), hn::Mul(sum, everywhere(greatest_)));
         isCandidate[i] = hn::And(isCandidate[i], hn::And(isBehindStart, isBeforeEnd));
       }
     });
@@ -406,10 +405,12 @@ class BlockRay {
                          hn::LoadU(bytes, block.corners[corner] + vector * kLanesPerVector));
   }
 
+  /// Numbers stay in memory, where operations on vectors can read them: the registers are for what
+  /// the tests of boxes need.
+  static HWY_INLINE Floats everywhere(float number) { return hn::Set(FloatTag(), number); }
+
   const WideQuery& query_;
-  Floats originX_, originY_, originZ_;
-  Floats shearX_, shearY_;
-  Floats depthPerZ_, least_, greatest_;
+  float depthPerZ_, least_, greatest_;
 };
 
 struct ShearedCorner {

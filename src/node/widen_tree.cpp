@@ -3,10 +3,12 @@
 #include <planetree/error.hpp>
 
 #include "support/assert.hpp"
+#include "support/large_pages.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace planetree::detail {
 namespace {
@@ -36,6 +38,39 @@ struct Branch {
   std::size_t left = kNoChild;  ///< index of a branch
   std::size_t right = kNoChild;
 };
+
+/// The same node with the largest boxes in the last slots. Rays that are content with any hit take
+/// the last one first: the larger a box, the likelier it hides what lies behind.
+WideNode sortedByArea(const WideNode& node) {
+  const auto areaOf = [&](std::size_t slot) {
+    const auto sizeAlong = [&](std::size_t axis) {
+      return node.planes[2 * axis + 1][slot] - node.planes[2 * axis][slot];
+    };
+    const float x = sizeAlong(0);
+    const float y = sizeAlong(1);
+    const float z = sizeAlong(2);
+    return x < 0.0f ? -1.0f : x * y + y * z + z * x;
+  };
+  std::array<std::uint8_t, kSlotCount> from;
+  std::iota(from.begin(), from.end(), std::uint8_t{0});
+  std::stable_sort(from.begin(), from.end(),
+                   [&](std::uint8_t a, std::uint8_t b) { return areaOf(a) < areaOf(b); });
+  WideNode sorted;
+  std::array<std::uint8_t, kSlotCount> to;
+  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    to[from[slot]] = static_cast<std::uint8_t>(slot);
+    sorted.children[slot] = node.children[from[slot]];
+    for (std::size_t side = 0; side < 6; ++side)
+      sorted.planes[side][slot] = node.planes[side][from[slot]];
+  }
+  for (std::size_t octant = 0; octant < node.orders.size(); ++octant) {
+    std::array<std::uint8_t, kSlotCount> order;
+    for (std::size_t i = 0; i < kSlotCount; ++i)
+      order[i] = to[node.orders[octant][i]];
+    sorted.orders[octant] = SlotOrder(order);
+  }
+  return sorted;
+}
 
 class Widener {
  public:
@@ -129,7 +164,7 @@ class Widener {
       if (branch.slot != kNoChild)
         wide.children[branch.slot] = place(branch.binary);
     }
-    tree_.nodes[index] = wide;
+    tree_.nodes[index] = sortedByArea(wide);
     return WideChild::node(static_cast<std::uint32_t>(index));
   }
 
@@ -181,7 +216,7 @@ class Widener {
       wide.children[slot] = placeBlocks(first + begin, part);
     }
     wide.orders.fill(SlotOrder(slots));
-    tree_.nodes[index] = wide;
+    tree_.nodes[index] = sortedByArea(wide);
     return WideChild::node(static_cast<std::uint32_t>(index));
   }
 
@@ -280,8 +315,8 @@ WideTree widenTree(std::span<const Node> nodes, std::span<const Box3> leafBounds
     return tree;
   tree.center = centerOfWideTree(bounds);
   Widener(nodes, leafBounds, packLeaf, tree).run();
-  tree.nodes.shrink_to_fit();
-  tree.blocks.shrink_to_fit();
+  settle(tree.nodes);
+  settle(tree.blocks);
   return tree;
 }
 
