@@ -1,46 +1,30 @@
 #pragma once
 
+#include <planetree/traversal/step_counts.hpp>
+
 #include "traversal/hit_choices.hpp"
-#include "traversal/search_wide.hpp"
 #include "traversal/traverse.hpp"
 
-#include <type_traits>
-
+/// Queries with choices. Behind calls on purpose: what they need on the stack is none of the
+/// business of queries without.
 namespace planetree::detail {
 
 /// Offers the hits of the query to its sink, through the form of the tree that is fastest. `Goal`
 /// is `NearestOffer`, `AnyOffer` or `EveryOffer`, as fits the sink. Returns whether one was kept.
 template <class Goal, class T>
-bool offerHits(const Query<T>& query, StepCounts* steps) noexcept {
-  Hit<T> unused;
-  if constexpr (std::is_same_v<T, float>) {
-    // Steps are those of the binary form.
-    if (!steps) {
-      if (const std::optional<bool> found = searchWide<Goal>(query, unused))
-        return *found;
-    }
-  }
-  const Node& root = query.tree.nodes.front();
-  const Interval<T> part = query.partInsideTree();
-  return steps ? traverse<Goal>(root, query, part, unused, Counting(*steps))
-               : traverse<Goal>(root, query, part, unused, Unobserved{});
-}
+bool offerHits(const Query<T>& query, StepCounts* steps) noexcept;
 
 /// The nearest hit that counts, into `hit`. Its interval is that of the query.
 template <class T>
 bool findNearestChoice(Query<T>& query, const HitChoices<T>& choices, StepCounts* steps,
-                       Hit<T>& hit) noexcept {
-  NearestSink<T> sink(choices, query.interval.tMax, hit);
-  query.sink = &sink;
-  return offerHits<NearestOffer>(query, steps);
-}
+                       Hit<T>& hit) noexcept;
 
-/// Whether any hit counts.
+/// Answers a query of which `hasChoices` is true as `find_intersection.hpp` says.
 template <class T>
-bool findAnyChoice(Query<T>& query, const HitChoices<T>& choices, StepCounts* steps) noexcept {
-  AnySink<T> sink(choices, query.interval.tMax);
-  query.sink = &sink;
-  return offerHits<AnyOffer>(query, steps);
-}
+bool findNearestChoice(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
+                       StepCounts* steps, Hit<T>& hit) noexcept;
+template <class T>
+bool findAnyChoice(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
+                   StepCounts* steps) noexcept;
 
 }  // namespace planetree::detail
