@@ -138,15 +138,6 @@ TEST_F(Trace, AllAndAnyExcludeEachOther) {
   EXPECT_NE(result.err.find("--any and --all"), std::string::npos) << result.err;
 }
 
-TEST_F(Trace, AllAsNpyNeedsAFileToGoBackIn) {
-  writeFile("rays.npy", npyOf(randomRays<float>(7, 3)));
-  const ToolResult result = trace({"rays.npy", "--all"});
-  if (result.status == 0)
-    GTEST_SKIP() << "standard output is a file here";
-  EXPECT_EQ(result.status, 2);
-  EXPECT_NE(result.err.find("-o hits.npy"), std::string::npos) << result.err;
-}
-
 TEST_F(Trace, TheFormatIsThatOfTheRaysUnlessTheNameOrTheOptionSaysOtherwise) {
   const std::string magic = "\x93NUMPY";
   const Rayf down{.origin = {0.25f, 0.5f, 2}, .direction = {0, 0, -1}};
