@@ -20,8 +20,7 @@ int windingNumber(const Tree& tree, const planetree::Vec3d& point) {
       number += dot(hits[i].normal, ray.direction) > 0 ? 1 : -1;
     if (!found.hasMore)
       return number;
-    const planetree::Hitd last = hits.back();
-    found = tree.findNextIntersections(ray, last, hits, options);
+    found = tree.findNextIntersections(ray, hits.back(), hits, options);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "mesh/exact_arithmetic.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -125,8 +126,8 @@ Vec3d crossOfEdges(const Vec3f& a, const Vec3f& b, const Vec3f& c) noexcept {
   return cross(static_cast<Vec3d>(b) - corner, static_cast<Vec3d>(c) - corner);
 }
 
-/// The vector from one point to another, and what rounding took from it, both times a power of two
-/// that makes products of such vectors safe.
+/// The vector from one point to another, and what rounding took from it. Lengths from which
+/// products could over- or underflow are scaled by a power of two.
 struct ExpandedEdge {
   Vec3d value;
   Vec3d rest;
@@ -137,16 +138,17 @@ struct ExpandedEdge {
       value[axis] = difference.value;
       rest[axis] = difference.rest;
     }
-    const double largest =
-        std::fmax(std::fabs(value.x), std::fmax(std::fabs(value.y), std::fabs(value.z)));
-    if (largest > 0.0 && std::isfinite(largest)) {
-      // Two steps: the inverse of a denormal power of two is infinite.
-      const int exponent = std::ilogb(largest);
-      for (const int part : {exponent / 2, exponent - exponent / 2}) {
-        value = value * std::ldexp(1.0, -part);
-        rest = rest * std::ldexp(1.0, -part);
-      }
-    }
+    const double largest = std::max({std::fabs(value.x), std::fabs(value.y), std::fabs(value.z)});
+    if (!(largest > 0x1p-300))
+      scale(0x1p+600);
+    if (largest > 0x1p+300)
+      scale(0x1p-600);
+  }
+
+ private:
+  void scale(double factor) noexcept {
+    value = value * factor;
+    rest = rest * factor;
   }
 };
 

@@ -12,13 +12,12 @@ namespace {
 template <class Goal, class T>
 bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
             StepCounts* steps, Hit<T>& hit) noexcept {
+  if (detail::hasChoices(options)) {
+    return Goal::kStopsAtAnyHit ? detail::findAnyChoice(tree, ray, options, steps)
+                                : detail::findNearestChoice(tree, ray, options, steps, hit);
+  }
   detail::Request<T> request(tree, ray, ray.tMin, ray.tMax);
   request.mask = options.mask;
-  if (detail::hasChoices(options)) {
-    const detail::HitChoices<T> choices{options, ray.direction};
-    return Goal::kStopsAtAnyHit ? detail::findAnyChoice(request, choices, steps)
-                                : detail::findNearestChoice(request, choices, steps, hit);
-  }
   // Steps are those of the binary form.
   if (!steps) {
     if (const std::optional<bool> found = detail::searchWide<Goal>(request, hit))

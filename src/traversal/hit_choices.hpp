@@ -11,10 +11,14 @@
 
 namespace planetree::detail {
 
-/// Whether the options ask for more than a mask: then hits are offered to a sink one by one.
+/// Whether the options ask for more than a mask: then hits are offered to a sink one by one. Every
+/// query asks this, hence no branches.
 [[nodiscard]] inline bool hasChoices(const QueryOptions& options) noexcept {
-  return options.cullsBackFaces || options.crossings || options.skip != PrimitiveId{} ||
-         !options.filter.acceptsAll();
+  const bool skips = options.skip.geometry != kNoId;
+  const bool filters = !options.filter.acceptsAll();
+  const int count = static_cast<int>(options.cullsBackFaces) + static_cast<int>(options.crossings) +
+                    static_cast<int>(skips) + static_cast<int>(filters);
+  return count != 0;
 }
 
 /// Which of the hits that the ray finds count. The mask is not asked here, but once for each run of

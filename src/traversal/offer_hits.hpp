@@ -1,45 +1,30 @@
 #pragma once
 
+#include <planetree/traversal/step_counts.hpp>
+
 #include "traversal/hit_choices.hpp"
-#include "traversal/search_wide.hpp"
 #include "traversal/traverse.hpp"
 
-#include <optional>
-
+/// Queries with choices. Behind calls on purpose: what they need on the stack is none of the
+/// business of queries without.
 namespace planetree::detail {
 
 /// Offers the hits of the request to its sink, through the form of the tree that is fastest. `Goal`
 /// is `NearestOffer`, `AnyOffer` or `EveryOffer`, as fits the sink. Returns whether one was kept.
 template <class Goal, class T>
-bool offerHits(const Request<T>& request, StepCounts* steps) noexcept {
-  Hit<T> unused;
-  // Steps are those of the binary form.
-  if (!steps) {
-    if (const std::optional<bool> found = searchWide<Goal>(request, unused))
-      return *found;
-  }
-  const Query<T> query(request);
-  const Node& root = query.tree.nodes.front();
-  const Interval<T> part = query.partInsideTree();
-  return steps ? traverse<Goal>(root, query, part, unused, Counting(*steps))
-               : traverse<Goal>(root, query, part, unused, Unobserved{});
-}
+bool offerHits(const Request<T>& request, StepCounts* steps) noexcept;
 
 /// The nearest hit that counts, into `hit`. Its interval is that of the request.
 template <class T>
 bool findNearestChoice(Request<T>& request, const HitChoices<T>& choices, StepCounts* steps,
-                       Hit<T>& hit) noexcept {
-  NearestSink<T> sink(choices, request.interval.tMax, hit);
-  request.sink = &sink;
-  return offerHits<NearestOffer>(request, steps);
-}
+                       Hit<T>& hit) noexcept;
 
-/// Whether any hit counts.
+/// Answers a query of which `hasChoices` is true as `find_intersection.hpp` says.
 template <class T>
-bool findAnyChoice(Request<T>& request, const HitChoices<T>& choices, StepCounts* steps) noexcept {
-  AnySink<T> sink(choices, request.interval.tMax);
-  request.sink = &sink;
-  return offerHits<AnyOffer>(request, steps);
-}
+bool findNearestChoice(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
+                       StepCounts* steps, Hit<T>& hit) noexcept;
+template <class T>
+bool findAnyChoice(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& options,
+                   StepCounts* steps) noexcept;
 
 }  // namespace planetree::detail

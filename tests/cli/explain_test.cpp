@@ -163,6 +163,19 @@ TEST_F(Explain, StopsAtAnyHitWhenAskedTo) {
   EXPECT_NE(page.out.find("any hit is enough"), std::string::npos) << page.out;
 }
 
+TEST_F(Explain, ToldHitsAreThoseThatTheOptionsAccept) {
+  const std::string middle = "0.5,0.5,2,0,0,-1";
+  const auto hitOf = [&](const std::string& ray, std::vector<std::string> options) {
+    options.emplace_back("--json");
+    return json::parse(explain("roof.obj", ray, options).out)["hit"];
+  };
+  EXPECT_EQ(hitOf(middle, {})["primitive"], 0);
+  EXPECT_EQ(hitOf(middle, {"--skip", "0"})["primitive"], 1);
+  EXPECT_EQ(hitOf(middle, {"--culls-back-faces"})["primitive"], 0);
+  EXPECT_TRUE(hitOf("0.5,0.5,-2,0,0,1", {"--culls-back-faces", "--any"}).is_null());
+  EXPECT_FALSE(hitOf(middle, {"--crossings"}).is_null());
+}
+
 TEST_F(Explain, WorksInDouble) {
   const json walk =
       json::parse(explain("roof.obj", "0.25,0.5,1e200,0,0,-1e200", {"--double", "--json"}).out);

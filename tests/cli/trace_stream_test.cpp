@@ -139,12 +139,17 @@ TEST_F(TraceStream, ATableToAPipeHasItsLengthIfTheRaysTellTheirs) {
 
 TEST_F(TraceStream, ATableOfUnknownLengthIsRefusedForAPipeBeforeAnyWork) {
   const PipeEnd hits(pipe("out"), O_RDONLY | O_NONBLOCK);
-  const ToolResult result =
-      run(ToolStart{.arguments = {"trace", "roof.obj", "rays.csv", "--format", "npy"},
-                    .standardOutput = pipe("out").string()});
-  EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.err.rfind("planetree: --format npy: ", 0), 0u) << result.err;
-  EXPECT_NE(result.err.find("-o hits.npy"), std::string::npos) << result.err;
+  writeFile("rays.npy", npyOf(randomRays<float>(42, 3)));
+  const std::vector<std::vector<std::string>> commands = {
+      {"trace", "roof.obj", "rays.csv", "--format", "npy"},
+      {"trace", "roof.obj", "rays.npy", "--all"}};
+  for (const std::vector<std::string>& arguments : commands) {
+    const ToolResult result =
+        run(ToolStart{.arguments = arguments, .standardOutput = pipe("out").string()});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err.rfind("planetree: --format npy: ", 0), 0u) << result.err;
+    EXPECT_NE(result.err.find("-o hits.npy"), std::string::npos) << result.err;
+  }
 }
 
 TEST_F(TraceStream, ATableOfUnknownLengthIsRefusedWhereEverythingIsAppended) {

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,10 @@ TEST(Concurrency, ManyThreadsAskOneTreeWhileOthersAreBuilt) {
         if (own.findIntersection(rays[r]) != expected[r])
           ++differences;
         if (own.isOccluded(rays[r]) != expected[r].has_value())
+          ++differences;
+        std::array<Hitf, 3> hits;
+        const FoundHits found = own.findIntersections(rays[r], hits);
+        if (found.count > 0 ? hits.front() != expected[r] : expected[r].has_value())
           ++differences;
       }
     });

@@ -33,7 +33,7 @@ int sumOfSides(const KdTree<Face<T>>& tree, const Ray<T>& ray) {
       sum += dot(hits[i].normal, ray.direction) > T(0) ? 1 : -1;
     if (!found.hasMore)
       return sum;
-    found = tree.findNextIntersections(ray, Hit<T>(hits.back()), hits, kCrossings);
+    found = tree.findNextIntersections(ray, hits.back(), hits, kCrossings);
   }
 }
 

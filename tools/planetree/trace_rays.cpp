@@ -99,8 +99,7 @@ bool answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, std::uint64_t number
       answers.push_back({.ray = number, .hit = hits[i]});
     if (!found.hasMore)
       return isHit;
-    const Hit<T> last = hits.back();
-    found = tree.findNextIntersections(ray, last, hits, options);
+    found = tree.findNextIntersections(ray, hits.back(), hits, options);
   }
 }
 

@@ -17,14 +17,15 @@ namespace planetree {
 /// and lies a little before or behind the surface: its origin is that point, moved along the normal
 /// to the side that `direction` points to. No epsilon has to be chosen, and `tMin` may stay 0.
 ///
-/// `hit` must be a hit of `ray` on an object of a tree with these bounds (`KdTree::bounds()`); the
-/// direction is any that a ray may have, and `tMax` of the result is infinite. Within the ranges of
-/// docs/limits.md a flat face is never hit again; docs/numerics.md derives the bound. The distance
-/// is some tens of roundoffs of the lengths involved: from the ray's origin to the far end of the
-/// bounds, from the hit to their far end, and from zero to the hit. So it is small if the first ray
-/// began near. What lies closer to the surface is not seen by the new ray. Where a surface curves
-/// toward the direction, as the inside of a sphere does, it is hit again where it should be, maybe
-/// nearby.
+/// `hit` must be a hit of `ray` on an object of a tree with these bounds (`KdTree::bounds()`),
+/// found without `QueryOptions::crossings`, which may change the normal; the direction is any that
+/// a ray may have, and `tMax` of the result is infinite. Within the ranges of docs/limits.md a flat
+/// face is never hit again, unless its corners lie on one line, so that it has no sides;
+/// docs/numerics.md derives the bound. The distance is some tens of roundoffs of the lengths
+/// involved: from the ray's origin to the far end of the bounds, from the hit to their far end, and
+/// from zero to the hit. So it is small if the first ray began near. What lies closer to the
+/// surface is not seen by the new ray. Where a surface curves toward the direction, as the inside
+/// of a sphere does, it is hit again where it should be, maybe nearby.
 ///
 /// Waechter and Binder, "A fast and robust method for avoiding self-intersection", Ray Tracing Gems
 /// 2019, find the point by its weights and move it by a number of ulps that was chosen by trial;

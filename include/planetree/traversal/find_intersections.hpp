@@ -39,8 +39,8 @@ template <class T>
                                           std::span<Hit<T>> hits, const QueryOptions& options = {},
                                           StepCounts* steps = nullptr) noexcept;
 
-/// The same with the hits behind `after`, which need not be a hit of this ray: only its key is
-/// read. A miss is behind all hits.
+/// The same with the hits behind `after`. It may be one of `hits`, such as the last of the portion
+/// before, and need not be a hit of this ray: only its key is read. A miss is behind all hits.
 template <class T>
 [[nodiscard]] FoundHits findNextIntersections(const TreeView<T>& tree, const Ray<T>& ray,
                                               const Hit<T>& after, std::span<Hit<T>> hits,

@@ -14,7 +14,7 @@
 /// start with. For a split below
 /// the root that is a promise about hits inside its cell; objects reach beyond it, and hits out
 /// there may be found or not. The split must be a node of `tree`. Masks of
-/// geometries are left to whole queries.
+/// geometries and the other options are left to whole queries.
 namespace planetree {
 
 /// Searches both children, in whichever way fits the ray.

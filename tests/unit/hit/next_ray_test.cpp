@@ -90,6 +90,11 @@ TYPED_TEST(NextRay, NeverHitsTheTriangleItLeaves) {
   for (int i = 0; i < 2'000'000; ++i) {
     const Corners<T> corners = anyTriangle<T>(random);
     const auto& [a, b, c] = corners;
+    const auto corner = static_cast<Vec3d>(a);
+    const bool isOnALine =
+        cross(static_cast<Vec3d>(b) - corner, static_cast<Vec3d>(c) - corner) == Vec3d{};
+    if (isOnALine)  // rounding has put it there; it has no sides
+      continue;
     const Ray<T> ray = rayAt(corners, random);
     const T infinity = std::numeric_limits<T>::infinity();
     const auto hit =
