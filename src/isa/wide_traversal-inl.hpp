@@ -343,18 +343,19 @@ struct ShearedCorner {
   float z;
 };
 
+HWY_INLINE ShearedCorner shearCorner(const WideQuery& query, const TriangleBlock& block,
+                                     std::size_t i) {
+  const float z = block.positions[query.kz][i] - query.originZ;
+  return {block.positions[query.kx][i] - query.originX - query.shearX * z,
+          block.positions[query.ky][i] - query.originY - query.shearY * z, z};
+}
+
 /// The test of one triangle, rounded as in `intersectTriangle`. Returns whether `query` has a new
 /// best hit.
 HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std::uint32_t lane) {
-  const auto shear = [&](std::size_t which) -> ShearedCorner {
-    const std::size_t i = block.corners[which][lane];
-    const float z = block.positions[query.kz][i] - query.originZ;
-    return {block.positions[query.kx][i] - query.originX - query.shearX * z,
-            block.positions[query.ky][i] - query.originY - query.shearY * z, z};
-  };
-  const ShearedCorner a = shear(0);
-  const ShearedCorner b = shear(1);
-  const ShearedCorner c = shear(2);
+  const ShearedCorner a = shearCorner(query, block, block.corners[0][lane]);
+  const ShearedCorner b = shearCorner(query, block, block.corners[1][lane]);
+  const ShearedCorner c = shearCorner(query, block, block.corners[2][lane]);
   const auto edge = [](float ax, float by, float bx, float ay) {
     return static_cast<double>(ax) * static_cast<double>(by) -
            static_cast<double>(bx) * static_cast<double>(ay);
@@ -412,43 +413,58 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   return found;
 }
 
-/// Triangles that are to be tested with the corners of their mesh.
-struct Candidates {
-  std::uint32_t objects[WideChild::kMaxBlockCount * kLaneCount];
-  std::uint32_t count = 0;
+/// Where a ray meets a triangle with rounded corners, if it does: t lies in between.
+struct DistanceBounds {
+  float lower;
+  float upper;
+};
 
-  /// Takes those of some blocks with rounded corners, but for the best hit, met again in the next
-  /// cell.
-  HWY_INLINE void collect(const WideQuery& query, const BlockRay& ray, WideChild child) {
-    count = 0;
-    const TriangleBlock* block = query.blocks + child.firstBlock();
-    for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
-      std::uint32_t lanes = ray.findCandidates<true>(*block);
-      for (; lanes != 0; lanes &= lanes - 1) {
-        const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
-        objects[count] = block->objects[lane];
-        const bool isWanted =
-            mayBeHitInTime(query, *block, lane) && objects[count] != query.hitObject;
-        count += isWanted ? 1u : 0u;
-      }
+/// Right for every triangle that the test in double accepts: docs/numerics.md, section 3. NaN, or
+/// infinitely far apart, where the rounded corners say nothing.
+HWY_INLINE DistanceBounds boundDistance(const WideQuery& query, const TriangleBlock& block,
+                                        std::size_t lane) {
+  const ShearedCorner a = shearCorner(query, block, block.corners[0][lane]);
+  const ShearedCorner b = shearCorner(query, block, block.corners[1][lane]);
+  const ShearedCorner c = shearCorner(query, block, block.corners[2][lane]);
+  const float v = a.x * c.y - a.y * c.x;
+  const float w = b.x * a.y - b.y * a.x;
+  const float sum = (c.x * b.y - c.y * b.x) + v + w;
+  const float toB = b.z - a.z;
+  const float toC = c.z - a.z;
+  const float z = a.z + (v * toB + w * toC) / sum;
+
+  const auto larger = [](float x, float y) { return x > y ? x : y; };
+  const auto magnitude = [](float x) { return x < 0.0f ? -x : x; };
+  const auto size = [&](const ShearedCorner& corner) {
+    return larger(magnitude(corner.x), magnitude(corner.y));
+  };
+  const float reach = larger(larger(size(a), size(b)), size(c)) + query.edgeSlack * 0.0625f;
+  const float depth = larger(magnitude(toB), magnitude(toC));
+  const float slack = query.edgeSlack * (0.5f + 8.0f * (reach * depth) / magnitude(sum));
+  const float inverse = query.inverse[query.kz];
+  return {z * inverse - slack * magnitude(inverse), z * inverse + slack * magnitude(inverse)};
+}
+
+/// Takes the triangles of some blocks with rounded corners that are to be tested with the corners
+/// of their mesh. The best hit, met again in the next cell, is none of them.
+HWY_INLINE void collectCandidates(const WideQuery& query, const BlockRay& ray, WideChild child,
+                                  Candidates& candidates) {
+  candidates.count = 0;
+  const TriangleBlock* block = query.blocks + child.firstBlock();
+  for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
+    std::uint32_t lanes = ray.findCandidates<true>(*block);
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
+      const DistanceBounds bounds = boundDistance(query, *block, lane);
+      // A NaN fails all comparisons.
+      if (bounds.lower > query.hitT || bounds.upper < query.tMin ||
+          block->objects[lane] == query.hitObject)
+        continue;
+      candidates.objects[candidates.count] = block->objects[lane];
+      candidates.earliest[candidates.count++] = bounds.lower;
     }
   }
-
- private:
-  /// Whether the part of the ray that counts may meet a triangle: its corners along the axis that
-  /// the ray advances most on are tested like the planes of a box.
-  static HWY_INLINE bool mayBeHitInTime(const WideQuery& query, const TriangleBlock& block,
-                                        std::size_t lane) {
-    const float* const z = block.positions[query.kz];
-    const float inverse = query.inverse[query.kz];
-    const float a = z[block.corners[0][lane]] * inverse;
-    const float b = z[block.corners[1][lane]] * inverse;
-    const float c = z[block.corners[2][lane]] * inverse;
-    const float nearest = HWY_MIN(HWY_MIN(a, b), c) + query.nearOffset[query.kz];
-    const float farthest = HWY_MAX(HWY_MAX(a, b), c) + query.farOffset[query.kz];
-    return nearest <= query.hitT && farthest >= query.tMin;
-  }
-};
+}
 
 /// How far a query has come.
 struct Progress {
@@ -490,7 +506,7 @@ HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& chi
     } else if (child.holdsObjects()) {
       return true;
     } else if constexpr (kCornersAreRounded) {
-      progress.candidates.collect(query, blockRay, child);
+      collectCandidates(query, blockRay, child, progress.candidates);
       if (progress.candidates.count != 0)
         return true;
     } else if (testBlocks<kStopsAtAnyHit>(query, blockRay, child)) {
@@ -510,10 +526,9 @@ HWY_INLINE bool traverse(WideQuery& query) {
   progress.stack.children[0] = query.root.word();
   WideChild child;
   while (goToObjects<kStopsAtAnyHit, kCornersAreRounded>(query, progress, child)) {
-    const Candidates& candidates = progress.candidates;
     const bool isBetter = !kCornersAreRounded || child.holdsObjects()
                               ? query.testObjects(query, child.leafIndex())
-                              : query.testCandidates(query, candidates.objects, candidates.count);
+                              : query.testCandidates(query, progress.candidates);
     if (isBetter) {
       progress.found = true;
       if (kStopsAtAnyHit)

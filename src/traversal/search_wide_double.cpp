@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace planetree::detail {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 // the unit roundoff of float and of the largest distance, along an axis, between the center of the
 // tree and the ray's origin and a corner, one after the other.
 constexpr double kRoundoff = 0x1p-24;
-constexpr double kBoxSlackInRoundoffs = 5.0;
+constexpr double kBoxSlackInRoundoffs = 4.0;
 constexpr double kEdgeSlackInRoundoffs = 48.0;
 /// A direction whose component is smaller than this part of the largest one looks parallel to a
 /// plane, as `PreparedRay<float>` has it.
@@ -58,32 +60,21 @@ struct WideSearch : WideQuery {
   }
 
   template <class Goal>
-  [[nodiscard]] bool testFaces(const std::uint32_t* objects, std::uint32_t count) noexcept {
-    const auto geometries = query.tree.geometries;
-    const auto [from, to] = query.interval;
+  [[nodiscard]] bool testFaces(Candidates& candidates) noexcept {
+    // After the hit of the nearest the others may be too far.
+    const auto nearest = static_cast<std::size_t>(
+        std::min_element(candidates.earliest, candidates.earliest + candidates.count) -
+        candidates.earliest);
+    std::swap(candidates.objects[0], candidates.objects[nearest]);
+    std::swap(candidates.earliest[0], candidates.earliest[nearest]);
     bool found = false;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::uint32_t geometry = geometryOf(geometries, objects[i]);
-      const GeometryEntry<double>& entry = geometries[geometry];
-      if ((entry.mask & query.mask) == 0)
+    for (std::uint32_t i = 0; i < candidates.count; ++i) {
+      if (candidates.earliest[i] > hitT || !testFace<Goal>(candidates.objects[i]))
         continue;
-      const std::uint32_t face = objects[i] - entry.firstObject;
-      const auto [a, b, c] = meshOf(entry).corners(face);
-      const auto at = intersectTriangle(query.ray.sheared, a, b, c, from, hit.t < to ? hit.t : to);
-      if (!at)
-        continue;
-      if (Goal::kStopsAtAnyHit)
-        return true;
-      const Hitd candidate = {
-          .t = at->t, .u = at->u, .v = at->v, .geometry = geometry, .primitive = face};
-      if (!isBefore(candidate, hit))
-        continue;
-      hit = candidate;
-      isHitOnFace = true;
       found = true;
+      if (Goal::kStopsAtAnyHit)
+        break;
     }
-    if (found)
-      shortenRay();
     return found;
   }
 
@@ -119,6 +110,31 @@ struct WideSearch : WideQuery {
       reach = std::max(reach, std::fabs(origin[axis]) + std::max(below, above));
     }
     return reach;
+  }
+
+  /// Tests one face with the corners of its mesh; whether that answers the query or has a better
+  /// hit.
+  template <class Goal>
+  [[nodiscard]] bool testFace(std::uint32_t object) noexcept {
+    const auto geometries = query.tree.geometries;
+    const std::uint32_t geometry = geometryOf(geometries, object);
+    const GeometryEntry<double>& entry = geometries[geometry];
+    if ((entry.mask & query.mask) == 0)
+      return false;
+    const auto [from, to] = query.interval;
+    const std::uint32_t face = object - entry.firstObject;
+    const auto [a, b, c] = meshOf(entry).corners(face);
+    const auto at = intersectTriangle(query.ray.sheared, a, b, c, from, hit.t < to ? hit.t : to);
+    if (!at || Goal::kStopsAtAnyHit)
+      return at.has_value();
+    const Hitd candidate = {
+        .t = at->t, .u = at->u, .v = at->v, .geometry = geometry, .primitive = face};
+    if (!isBefore(candidate, hit))
+      return false;
+    hit = candidate;
+    isHitOnFace = true;
+    shortenRay();
+    return true;
   }
 
   void prepareForBlocks(const ShearedRay<double>& sheared, const Vec3d& origin,
@@ -184,9 +200,8 @@ std::optional<bool> searchWide(const Query<double>& query, Hitd& hit,
   search.testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
     return static_cast<WideSearch&>(wide).testLeaf<Goal>(leafIndex);
   };
-  search.testCandidates = [](WideQuery& wide, const std::uint32_t* objects,
-                             std::uint32_t count) noexcept {
-    return static_cast<WideSearch&>(wide).testFaces<Goal>(objects, count);
+  search.testCandidates = [](WideQuery& wide, Candidates& candidates) noexcept {
+    return static_cast<WideSearch&>(wide).testFaces<Goal>(candidates);
   };
   if (Goal::kStopsAtAnyHit)
     return kernels.findAnyOfRounded(search);
