@@ -413,16 +413,49 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   return found;
 }
 
-/// Where a ray meets a triangle with rounded corners, if it does: t lies in between.
+/// Where a ray meets a triangle with rounded corners, if it does: t lies in between. Such bounds
+/// hold for every triangle that the test in double accepts: docs/numerics.md, section 3.
 struct DistanceBounds {
   float lower;
   float upper;
+
+  /// No part of the ray that counts lies within. False for NaN.
+  [[nodiscard]] HWY_INLINE bool areOutside(const WideQuery& query) const {
+    return lower > query.hitT || upper < query.tMin;
+  }
+  [[nodiscard]] HWY_INLINE bool areInside(const WideQuery& query) const {
+    return lower >= query.tMin && upper <= query.hitT;
+  }
 };
 
-/// Right for every triangle that the test in double accepts: docs/numerics.md, section 3. NaN, or
-/// infinitely far apart, where the rounded corners say nothing.
-HWY_INLINE DistanceBounds boundDistance(const WideQuery& query, const TriangleBlock& block,
-                                        std::size_t lane) {
+HWY_INLINE float larger(float x, float y) {
+  return x > y ? x : y;
+}
+HWY_INLINE float smaller(float x, float y) {
+  return x < y ? x : y;
+}
+HWY_INLINE float magnitude(float x) {
+  return x < 0.0f ? -x : x;
+}
+
+/// From the corners alone: the hit is no nearer than all of them, and no farther.
+HWY_INLINE DistanceBounds boundByCorners(const WideQuery& query, const TriangleBlock& block,
+                                         std::size_t lane) {
+  const float inverse = query.inverse[query.kz];
+  const auto distance = [&](std::size_t corner) {
+    return (block.positions[query.kz][block.corners[corner][lane]] - query.originZ) * inverse;
+  };
+  const float a = distance(0);
+  const float b = distance(1);
+  const float c = distance(2);
+  const float slack = 0.5f * query.edgeSlack * magnitude(inverse);
+  return {smaller(smaller(a, b), c) - slack, larger(larger(a, b), c) + slack};
+}
+
+/// From the weights of the corners, and how far these may be off. Infinitely far apart, or NaN,
+/// where rounding has left nothing of the triangle.
+HWY_INLINE DistanceBounds boundByWeights(const WideQuery& query, const TriangleBlock& block,
+                                         std::size_t lane) {
   const ShearedCorner a = shearCorner(query, block, block.corners[0][lane]);
   const ShearedCorner b = shearCorner(query, block, block.corners[1][lane]);
   const ShearedCorner c = shearCorner(query, block, block.corners[2][lane]);
@@ -433,16 +466,15 @@ HWY_INLINE DistanceBounds boundDistance(const WideQuery& query, const TriangleBl
   const float toC = c.z - a.z;
   const float z = a.z + (v * toB + w * toC) / sum;
 
-  const auto larger = [](float x, float y) { return x > y ? x : y; };
-  const auto magnitude = [](float x) { return x < 0.0f ? -x : x; };
-  const auto size = [&](const ShearedCorner& corner) {
+  const auto size = [](const ShearedCorner& corner) {
     return larger(magnitude(corner.x), magnitude(corner.y));
   };
-  const float reach = larger(larger(size(a), size(b)), size(c)) + query.edgeSlack * 0.0625f;
+  const float reach = larger(larger(size(a), size(b)), size(c)) + 0.0625f * query.edgeSlack;
   const float depth = larger(magnitude(toB), magnitude(toC));
-  const float slack = query.edgeSlack * (0.5f + 8.0f * (reach * depth) / magnitude(sum));
   const float inverse = query.inverse[query.kz];
-  return {z * inverse - slack * magnitude(inverse), z * inverse + slack * magnitude(inverse)};
+  const float slack =
+      query.edgeSlack * (0.5f + 8.0f * (reach * depth) / magnitude(sum)) * magnitude(inverse);
+  return {z * inverse - slack, z * inverse + slack};
 }
 
 /// Takes the triangles of some blocks with rounded corners that are to be tested with the corners
@@ -455,10 +487,13 @@ HWY_INLINE void collectCandidates(const WideQuery& query, const BlockRay& ray, W
     std::uint32_t lanes = ray.findCandidates<true>(*block);
     for (; lanes != 0; lanes &= lanes - 1) {
       const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
-      const DistanceBounds bounds = boundDistance(query, *block, lane);
-      // A NaN fails all comparisons.
-      if (bounds.lower > query.hitT || bounds.upper < query.tMin ||
-          block->objects[lane] == query.hitObject)
+      if (block->objects[lane] == query.hitObject)
+        continue;
+      // To look up the corners in the mesh costs more than both bounds.
+      DistanceBounds bounds = boundByCorners(query, *block, lane);
+      if (!bounds.areInside(query) && !bounds.areOutside(query))
+        bounds = boundByWeights(query, *block, lane);
+      if (bounds.areOutside(query))
         continue;
       candidates.objects[candidates.count] = block->objects[lane];
       candidates.earliest[candidates.count++] = bounds.lower;
