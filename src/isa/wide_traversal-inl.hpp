@@ -472,8 +472,9 @@ HWY_INLINE DistanceBounds boundByWeights(const WideQuery& query, const TriangleB
   const float reach = larger(larger(size(a), size(b)), size(c)) + 0.0625f * query.edgeSlack;
   const float depth = larger(magnitude(toB), magnitude(toC));
   const float inverse = query.inverse[query.kz];
-  const float slack =
-      query.edgeSlack * (0.5f + 8.0f * (reach * depth) / magnitude(sum)) * magnitude(inverse);
+  // Divided first: then nothing that counts can underflow.
+  const float slackOfWeights = 8.0f * (reach / magnitude(sum)) * depth;
+  const float slack = query.edgeSlack * (0.5f + slackOfWeights) * magnitude(inverse);
   return {z * inverse - slack, z * inverse + slack};
 }
 
