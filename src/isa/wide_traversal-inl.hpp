@@ -11,6 +11,7 @@
 
 #include <planetree/node/node_layout.hpp>
 
+#include "isa/distance_bounds-inl.hpp"
 #include "isa/wide_kernels.hpp"
 #include "traversal/wide_query.hpp"
 
@@ -413,24 +414,12 @@ class BlockRay {
   float depthPerZ_, least_, greatest_;
 };
 
-struct ShearedCorner {
-  float x;
-  float y;
-  float z;
-};
-
 /// The test of one triangle, rounded as in `intersectTriangle`. Returns whether `query` has a new
 /// best hit.
 HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std::uint32_t lane) {
-  const auto shear = [&](std::size_t which) -> ShearedCorner {
-    const std::size_t i = block.corners[which][lane];
-    const float z = block.positions[query.kz][i] - query.originZ;
-    return {block.positions[query.kx][i] - query.originX - query.shearX * z,
-            block.positions[query.ky][i] - query.originY - query.shearY * z, z};
-  };
-  const ShearedCorner a = shear(0);
-  const ShearedCorner b = shear(1);
-  const ShearedCorner c = shear(2);
+  const ShearedCorner a = shearCorner(query, block, block.corners[0][lane]);
+  const ShearedCorner b = shearCorner(query, block, block.corners[1][lane]);
+  const ShearedCorner c = shearCorner(query, block, block.corners[2][lane]);
   const auto edge = [](float ax, float by, float bx, float ay) {
     return static_cast<double>(ax) * static_cast<double>(by) -
            static_cast<double>(bx) * static_cast<double>(ay);
@@ -486,43 +475,34 @@ HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild chil
   return found;
 }
 
-/// Triangles that are handed over, to be tested with the corners of their mesh.
-struct Candidates {
-  std::uint32_t objects[WideChild::kMaxBlockCount * kLaneCount];
-  std::uint32_t count = 0;
-
-  /// Takes those of some blocks, but for the best hit, met again in the next cell.
-  template <class Goal>
-  HWY_INLINE void collect(const WideQuery& query, const BlockRay& ray, WideChild child) {
-    count = 0;
-    const TriangleBlock* block = query.blocks + child.firstBlock();
-    for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
-      std::uint32_t lanes = ray.findCandidates<Goal>(*block);
-      for (; lanes != 0; lanes &= lanes - 1) {
-        const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
-        objects[count] = block->objects[lane];
-        const bool isWanted =
-            mayBeHitInTime(query, *block, lane) && objects[count] != query.hitObject;
-        count += isWanted ? 1u : 0u;
+/// Takes the triangles of some blocks that are to be tested with the corners of their mesh. The
+/// best hit, met again in the next cell, is none of them.
+template <class Goal>
+HWY_INLINE void collectCandidates(const WideQuery& query, const BlockRay& ray, WideChild child,
+                                  Candidates& candidates) {
+  candidates.count = 0;
+  const TriangleBlock* block = query.blocks + child.firstBlock();
+  for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
+    std::uint32_t lanes = ray.findCandidates<Goal>(*block);
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
+      if (block->objects[lane] == query.hitObject)
+        continue;
+      DistanceBounds bounds = {-std::numeric_limits<float>::infinity(),
+                               std::numeric_limits<float>::infinity()};
+      if (query.cornersAreRounded) {
+        // To look up the corners in the mesh costs more than both bounds.
+        bounds = boundByCorners(query, *block, lane);
+        if (!bounds.areInside(query) && !bounds.areOutside(query))
+          bounds = boundByWeights(query, *block, lane);
+        if (bounds.areOutside(query))
+          continue;
       }
+      candidates.objects[candidates.count] = block->objects[lane];
+      candidates.earliest[candidates.count++] = bounds.lower;
     }
   }
-
- private:
-  /// Whether the part of the ray that counts may meet a triangle: its corners along the axis that
-  /// the ray advances most on are tested like the planes of a box.
-  static HWY_INLINE bool mayBeHitInTime(const WideQuery& query, const TriangleBlock& block,
-                                        std::size_t lane) {
-    const float* const z = block.positions[query.kz];
-    const float inverse = query.inverse[query.kz];
-    const float a = z[block.corners[0][lane]] * inverse;
-    const float b = z[block.corners[1][lane]] * inverse;
-    const float c = z[block.corners[2][lane]] * inverse;
-    const float nearest = HWY_MIN(HWY_MIN(a, b), c) + query.depthNearOffset;
-    const float farthest = HWY_MAX(HWY_MAX(a, b), c) + query.depthFarOffset;
-    return nearest <= query.hitT && farthest >= query.tMin;
-  }
-};
+}
 
 /// How far a query has come.
 struct Progress {
@@ -562,7 +542,7 @@ HWY_NOINLINE WideChild goToObjects(WideQuery& query, Progress& progress) {
       progress.size = size;
       return child;
     } else if constexpr (Goal::kHandsOver) {
-      progress.candidates.template collect<Goal>(query, blockRay, child);
+      collectCandidates<Goal>(query, blockRay, child, progress.candidates);
       if (progress.candidates.count != 0) {
         progress.size = size;
         return child;
@@ -593,10 +573,9 @@ HWY_INLINE bool traverse(WideQuery& query) {
     if (child.isEnd())
       return progress.found;
     const float end = query.hitT;
-    const Candidates& candidates = progress.candidates;
     progress.found |= child.holdsObjects() || !Goal::kHandsOver
                           ? query.testObjects(query, child.leafIndex())
-                          : query.testCandidates(query, candidates.objects, candidates.count);
+                          : query.testCandidates(query, progress.candidates);
     if (Goal::kStopsAtAnyHit && progress.found)
       return true;
     if (query.hitT < end)

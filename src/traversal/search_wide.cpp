@@ -8,9 +8,10 @@
 #include "traversal/wide_query.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 namespace planetree::detail {
 namespace {
@@ -35,9 +36,8 @@ class WideSearch : public WideQuery {
     testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
       return static_cast<WideSearch&>(wide).testLeaf(leafIndex);
     };
-    testCandidates = [](WideQuery& wide, const std::uint32_t* objects,
-                        std::uint32_t count) noexcept {
-      return static_cast<WideSearch&>(wide).testFaces(std::span(objects, count));
+    testCandidates = [](WideQuery& wide, Candidates& candidates) noexcept {
+      return static_cast<WideSearch&>(wide).testFaces(candidates);
     };
   }
 
@@ -79,37 +79,51 @@ class WideSearch : public WideQuery {
     return takeOver(found);
   }
 
-  [[nodiscard]] bool testFaces(std::span<const std::uint32_t> objects) noexcept {
-    bool found = false;
-    for (const std::uint32_t& object : objects) {
-      const std::uint32_t geometry = geometryOf(tree_.geometries, object);
-      const GeometryEntry<T>& entry = tree_.geometries[geometry];
-      if (!request_.sees(entry))
-        continue;
-      if constexpr (Goal::kOffersHits) {
-        const LeafRun run{std::span(&object, 1), entry.firstObject, geometry};
-        found |= entry.intersecting
-                     ->offerHits(entry.range, run, query().ray.sheared, request_.interval.tMin,
-                                 *request_.sink)
-                     .found;
-      } else {
-        found |= testFace(entry, geometry, object - entry.firstObject);
-      }
-      if (Goal::kStopsAtAnyHit && found)
-        return true;
+  [[nodiscard]] bool testFaces(Candidates& candidates) noexcept {
+    if constexpr (!Goal::kOffersHits) {
+      // After the hit of the nearest the others may be too far.
+      const auto nearest = static_cast<std::size_t>(
+          std::min_element(candidates.earliest, candidates.earliest + candidates.count) -
+          candidates.earliest);
+      std::swap(candidates.objects[0], candidates.objects[nearest]);
+      std::swap(candidates.earliest[0], candidates.earliest[nearest]);
     }
-    return takeOver(found);
+    bool found = false;
+    for (std::uint32_t i = 0; i < candidates.count; ++i) {
+      if (candidates.earliest[i] > hitT || !testFace(candidates.objects[i]))
+        continue;
+      found = true;
+      if (Goal::kStopsAtAnyHit)
+        break;
+    }
+    return found;
+  }
+
+  [[nodiscard]] bool testFace(const std::uint32_t& object) noexcept {
+    const std::uint32_t geometry = geometryOf(tree_.geometries, object);
+    const GeometryEntry<T>& entry = tree_.geometries[geometry];
+    if (!request_.sees(entry))
+      return false;
+    if constexpr (Goal::kOffersHits) {
+      const LeafRun run{std::span(&object, 1), entry.firstObject, geometry};
+      return takeOver(entry.intersecting
+                          ->offerHits(entry.range, run, query().ray.sheared, request_.interval.tMin,
+                                      *request_.sink)
+                          .found);
+    } else {
+      return takeOver(intersectFace(entry, geometry, object - entry.firstObject));
+    }
   }
 
   /// Leaves the normal to be found for the nearest hit alone.
-  [[nodiscard]] bool testFace(const GeometryEntry<T>& entry, std::uint32_t geometry,
-                              std::uint32_t face) noexcept {
+  [[nodiscard]] bool intersectFace(const GeometryEntry<T>& entry, std::uint32_t geometry,
+                                   std::uint32_t face) noexcept {
     const auto [from, to] = request_.interval;
     const auto [a, b, c] = meshOf(entry).corners(face);
     const auto at =
         intersectTriangle(query().ray.sheared, a, b, c, from, hit_.t < to ? hit_.t : to);
-    if (!at)
-      return false;
+    if (!at || Goal::kStopsAtAnyHit)
+      return at.has_value();
     const Hit<T> candidate = {
         .t = at->t, .u = at->u, .v = at->v, .geometry = geometry, .primitive = face};
     if (!isBefore(candidate, hit_))

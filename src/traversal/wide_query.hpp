@@ -12,6 +12,15 @@
 
 namespace planetree::detail {
 
+/// Triangles that a kernel hands over.
+struct Candidates {
+  static constexpr std::size_t kCapacity = WideChild::kMaxBlockCount * TriangleBlock::kLaneCount;
+
+  std::uint32_t objects[kCapacity];
+  float earliest[kCapacity];  ///< no hit is nearer; or NaN
+  std::uint32_t count = 0;
+};
+
 /// A ray on its way through the wide form of a tree: all that a kernel reads, and what it found.
 /// Plain numbers and functions only, so that kernels share no code with the rest of the library.
 struct WideQuery {
@@ -58,13 +67,10 @@ struct WideQuery {
   /// An edge function of rounded corners that is no larger than this times their largest sheared
   /// coordinate may have the wrong sign. Corners in float are not rounded.
   float edgeSlack = 0.0f;
-  /// As for boxes, along kz: to tell triangles that lie outside the interval.
-  float depthNearOffset = -std::numeric_limits<float>::infinity();
-  float depthFarOffset = std::numeric_limits<float>::infinity();
+  bool cornersAreRounded = false;
   /// Tests triangles with the corners of their mesh; true if that answers the query or lowers
   /// `hitT`.
-  bool (*testCandidates)(WideQuery& query, const std::uint32_t* objects,
-                         std::uint32_t count) noexcept = nullptr;
+  bool (*testCandidates)(WideQuery& query, Candidates& candidates) noexcept = nullptr;
 
   // --- the best hit so far ---
   float hitT = 0.0f;                        ///< at first the end of the interval

@@ -10,7 +10,7 @@ namespace {
 // the unit roundoff of float and of the largest distance, along an axis, between the center of the
 // tree and the ray's origin and a corner, one after the other.
 constexpr double kRoundoffOfFloat = 0x1p-24;
-constexpr double kBoxSlackInRoundoffs = 5.0;
+constexpr double kBoxSlackInRoundoffs = 4.0;
 constexpr double kEdgeSlackInRoundoffs = 48.0;
 /// A direction whose component is smaller than this part of the largest one looks parallel to a
 /// plane, as `PreparedRay<float>` has it.
@@ -67,8 +67,6 @@ void prepareForBoxes(const PreparedRay<double>& ray, const Vec3d& origin, double
     query.farOffset[a] = static_cast<float>(toCenter + slack * size);
     query.octant |= static_cast<std::uint32_t>(along.fromAbove) << a;
   }
-  query.depthNearOffset = query.nearOffset[query.kz];
-  query.depthFarOffset = query.farOffset[query.kz];
 }
 
 }  // namespace
@@ -89,6 +87,7 @@ bool WideQuery::prepare(const PreparedRay<double>& ray, const Box3& bounds,
   prepareForBlocks(sheared, origin, distance, *this);
   prepareForBoxes(ray, origin, distance, *this);
   reach = static_cast<float>(distance);
+  cornersAreRounded = true;
   return true;
 }
 
