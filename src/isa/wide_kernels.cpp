@@ -12,8 +12,9 @@
 #include "isa/wide_traversal-inl.hpp"
 
 #if HWY_ONCE
+#include <planetree/traversal/instruction_set.hpp>
+
 #include <array>
-#include <cstdlib>
 
 namespace planetree::detail {
 namespace {
@@ -67,9 +68,9 @@ std::span<const WideKernels> supportedWideKernels() noexcept {
 
 const WideKernels& wideKernels() noexcept {
   static const WideKernels& chosen = []() -> const WideKernels& {
-    const char* const wanted = std::getenv("PLANETREE_ISA");
+    const std::string_view wanted = requestedInstructionSet();
     for (const WideKernels& kernels : supportedWideKernels()) {
-      if (wanted != nullptr && kernels.name == wanted)
+      if (kernels.name == wanted)
         return kernels;
     }
     return supportedWideKernels().front();
