@@ -9,9 +9,10 @@ namespace planetree::bench {
 
 namespace {
 
+template <class O>
 class PlanetreeStructure final : public Structure {
  public:
-  explicit PlanetreeStructure(KdTree<Face<float>> tree) : tree_(std::move(tree)) {}
+  explicit PlanetreeStructure(KdTree<O> tree) : tree_(std::move(tree)) {}
 
   void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
@@ -24,8 +25,13 @@ class PlanetreeStructure final : public Structure {
   }
 
  private:
-  KdTree<Face<float>> tree_;
+  KdTree<O> tree_;
 };
+
+template <class O>
+std::unique_ptr<Structure> structureOf(KdTree<O> tree) {
+  return std::make_unique<PlanetreeStructure<O>>(std::move(tree));
+}
 
 class PlanetreeEngine final : public Engine {
  public:
@@ -39,11 +45,11 @@ class PlanetreeEngine final : public Engine {
   /// Leaves name faces, and the triangle test looks their corners up.
   [[nodiscard]] bool queriesReadMesh() const override { return true; }
 
-  [[nodiscard]] std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
+  [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                  unsigned threadCount) const override {
     BuildOptions options = options_;
     options.threadCount = threadCount;
-    return std::make_unique<PlanetreeStructure>(buildTree(mesh.view(), options));
+    return objects.visit([&](auto input) { return structureOf(buildTree(input, options)); });
   }
 
  private:

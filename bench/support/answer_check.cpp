@@ -5,6 +5,7 @@
 
 #include <planetree/geometry/sheared_ray.hpp>
 #include <planetree/mesh/triangle_intersection.hpp>
+#include <planetree/object.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -84,6 +85,21 @@ Hitf bruteForceHit(const TriangleMeshView<float>& mesh, const Rayf& ray) {
   return nearest;
 }
 
+template <class S>
+Hitf bruteForceHit(std::span<const S> shapes, const Rayf& ray) {
+  Hitf nearest;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    auto hit = objectIntersect(shapes[i], ray, ray.tMin, ray.tMax);
+    if (!hit)
+      continue;
+    hit->geometry = 0;
+    hit->primitive = static_cast<std::uint32_t>(i);
+    if (isBefore(*hit, nearest))
+      nearest = *hit;
+  }
+  return nearest;
+}
+
 bool isAcceptable(const Disagreement& found, bool mustBeExact) {
   if (mustBeExact)
     return found.bitsDiffer == 0;
@@ -123,13 +139,13 @@ Disagreement compareAnswers(const Answers& answers, const Answers& reference, do
   return found;
 }
 
-Answers bruteForceAnswers(const TriangleMesh<float>& mesh, const RaySet& set,
-                          unsigned threadCount) {
-  const TriangleMeshView<float> view = mesh.view();
+Answers bruteForceAnswers(const SceneObjects& objects, const RaySet& set, unsigned threadCount) {
   std::vector<Hitf> hits(set.rays.size());
-  parallelFor(hits.size(), 1, threadCount, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      hits[i] = bruteForceHit(view, set.rays[i]);
+  objects.visit([&](const auto& input) {
+    parallelFor(hits.size(), 1, threadCount, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        hits[i] = bruteForceHit(input, set.rays[i]);
+    });
   });
   Answers answers;
   if (!asksForAnyHit(set.kind)) {
@@ -171,11 +187,11 @@ Answers selected(const Answers& answers, const std::vector<std::size_t>& places)
   return chosen;
 }
 
-std::vector<CheckedPair> checkAnswers(const TriangleMesh<float>& mesh, const RaySet& set,
+std::vector<CheckedPair> checkAnswers(const SceneObjects& objects, const RaySet& set,
                                       const std::vector<CheckedAnswers>& all, double diagonal,
                                       std::size_t sampleSize, unsigned threadCount) {
   const std::vector<std::size_t> places = sampleOf(set, sampleSize);
-  const Answers truth = bruteForceAnswers(mesh, selected(set, places), threadCount);
+  const Answers truth = bruteForceAnswers(objects, selected(set, places), threadCount);
   std::vector<CheckedPair> pairs;
   for (const CheckedAnswers& checked : all) {
     const Disagreement found = compareAnswers(selected(checked.answers, places), truth, diagonal);

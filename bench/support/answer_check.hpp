@@ -3,8 +3,6 @@
 #include "bench/rivals/engine.hpp"
 #include "bench/support/ray_kinds.hpp"
 
-#include <planetree/mesh/triangle_mesh.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -57,8 +55,8 @@ inline constexpr double kAllowedWrong = 0.005;
 [[nodiscard]] Disagreement compareAnswers(const Answers& answers, const Answers& reference,
                                           double diagonal);
 
-/// The answers of testing every face with every ray, on `threadCount` threads.
-[[nodiscard]] Answers bruteForceAnswers(const TriangleMesh<float>& mesh, const RaySet& set,
+/// The answers of testing every object with every ray, on `threadCount` threads.
+[[nodiscard]] Answers bruteForceAnswers(const SceneObjects& objects, const RaySet& set,
                                         unsigned threadCount);
 
 /// At most `count` rays of the set, chosen at random with a fixed seed, in their order.
@@ -88,8 +86,7 @@ struct CheckedPair {
 /// Compares all engines with brute force on a sample of at most `sampleSize` rays, and with the
 /// first engine on all rays. An exact engine must have the bits of brute force; the others may be
 /// wrong about `kAllowedWrong` of the rays, and one ray of a small set.
-[[nodiscard]] std::vector<CheckedPair> checkAnswers(const TriangleMesh<float>& mesh,
-                                                    const RaySet& set,
+[[nodiscard]] std::vector<CheckedPair> checkAnswers(const SceneObjects& objects, const RaySet& set,
                                                     const std::vector<CheckedAnswers>& all,
                                                     double diagonal, std::size_t sampleSize,
                                                     unsigned threadCount);
