@@ -416,7 +416,7 @@ struct Progress {
 };
 
 /// Goes on until the query is answered, then returns false, or until the next thing to do is to
-/// test the objects of `child`. Calls nothing, so that the ray can stay in registers.
+/// test the object of `child`. Calls nothing, so that the ray can stay in registers.
 template <bool kStopsAtAnyHit>
 HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& child) {
   const WideRay boxRay(query);
@@ -430,7 +430,7 @@ HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& chi
       progress.size =
           kStopsAtAnyHit ? pushUnordered(node, test, progress.stack, progress.size)
                          : pushNearestLast(node, query.octant, test, progress.stack, progress.size);
-    } else if (child.holdsObjects()) {
+    } else if (child.isObject()) {
       return true;
     } else if (testBlocks<kStopsAtAnyHit>(query, blockRay, child)) {
       progress.found = true;
@@ -449,7 +449,7 @@ HWY_INLINE bool traverse(WideQuery& query) {
   progress.stack.children[0] = query.root.word();
   WideChild child;
   while (goToObjects<kStopsAtAnyHit>(query, progress, child)) {
-    if (query.testObjects(query, child.leafIndex())) {
+    if (query.testObject(query, child.reference())) {
       progress.found = true;
       if (kStopsAtAnyHit)
         return true;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace planetree::detail {
@@ -36,7 +37,8 @@ bool isTriangleMesh(const GeometryEntry<float>& geometry) noexcept {
 }
 
 PlaceLeaf placeTriangles(const TreeData<float>& tree) {
-  return [&tree](std::uint32_t leafIndex, std::vector<TriangleBlock>& blocks) {
+  return [&tree](std::uint32_t leafIndex,
+                 std::vector<TriangleBlock>& blocks) -> std::optional<WideChild> {
     const LeafNode& leaf = tree.nodes[leafIndex].leaf();
     const std::size_t first = blocks.size();
     const bool isPacked =
@@ -46,7 +48,7 @@ PlaceLeaf placeTriangles(const TreeData<float>& tree) {
     if (!isPacked || count > WideChild::kMaxBlockCount ||
         blocks.size() > WideChild::kMaxBlockIndex) {
       blocks.resize(first);
-      return WideChild::objects(leafIndex);
+      return std::nullopt;
     }
     return WideChild::blocks(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
   };

@@ -90,6 +90,14 @@ BuildOptions optionsFor(const TreeData<T>& tree) {
   return options;
 }
 
+/// The wide form gives a box to each object that does not go into a block.
+bool keepsBoxes(const TreeData<float>& tree) {
+  return !std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh);
+}
+bool keepsBoxes(const TreeData<double>&) {
+  return false;
+}
+
 }  // namespace
 
 template <>
@@ -120,7 +128,7 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     const ClipReferences clip = clipperFor(tree.geometries);
     const BuildOptions effective = optionsFor(tree);
     const TreeBuilder builder(effective, depthLimitFor(options, objects.references.size()), clip);
-    NodeArray array;
+    NodeArray array(keepsBoxes(tree));
     const double budget = referenceBudget(options, objects.references.size());
     builder.buildTree(std::move(objects.references), tree.bounds, 1, budget, array);
     clock.end("split");
@@ -132,8 +140,9 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     clock.end("assemble");
 
     if constexpr (std::is_same_v<T, float>) {
-      tree.wide = std::make_shared<const WideTree>(
-          widenTree(tree.nodes, array.takeLeafBounds(), tree.bounds, placeTriangles(tree)));
+      tree.wide = std::make_shared<const WideTree>(widenTree(tree.nodes, array.takeLeafBounds(),
+                                                             array.takeBoxes(), tree.bounds,
+                                                             placeTriangles(tree)));
       clock.end("widen");
     }
   };

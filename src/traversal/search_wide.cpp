@@ -38,13 +38,12 @@ struct WideSearch : WideQuery {
   }
 
   template <class Goal>
-  [[nodiscard]] bool testLeaf(std::uint32_t leafIndex) noexcept {
+  [[nodiscard]] bool testReference(std::uint32_t reference) noexcept {
     // Objects of other kinds must know what they compete with.
     if (hitBlock != nullptr)
       objectHit = unfinishedHit();
     Unobserved unobserved;
-    const LeafNode& leaf = query.tree.nodes[leafIndex].leaf();
-    if (!visitLeaf<Goal>(leaf, query, objectHit, unobserved))
+    if (!visitLeaf<Goal>(LeafNode(reference, 1), query, objectHit, unobserved))
       return false;
     if (Goal::kStopsAtAnyHit)
       return true;
@@ -89,8 +88,8 @@ std::optional<bool> searchWide(const Query<float>& query, Hitf& hit,
   WideSearch search(query);
   if (!search.prepare(query.ray, query.tree.wide->center))
     return std::nullopt;
-  search.testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
-    return static_cast<WideSearch&>(wide).testLeaf<Goal>(leafIndex);
+  search.testObject = [](WideQuery& wide, std::uint32_t reference) noexcept {
+    return static_cast<WideSearch&>(wide).testReference<Goal>(reference);
   };
   if (Goal::kStopsAtAnyHit)
     return kernels.findAny(search);

@@ -40,9 +40,8 @@ struct WideQuery {
   std::uint32_t octant = 0;  ///< bit a: the direction is negative along axis a
 
   // --- objects that are not in blocks ---
-  /// Tests the objects of a leaf of the binary form; true if that answers the query or lowers
-  /// `hitT`.
-  bool (*testObjects)(WideQuery& query, std::uint32_t leafIndex) noexcept = nullptr;
+  /// Tests the object of a reference; true if that answers the query or lowers `hitT`.
+  bool (*testObject)(WideQuery& query, std::uint32_t reference) noexcept = nullptr;
   /// Whether the query sees an object; null if it sees all.
   bool (*sees)(const WideQuery& query, std::uint32_t object) noexcept = nullptr;
 

@@ -31,10 +31,8 @@ class WideWalk {
   void visit(WideChild child, const Box3& outer) {
     if (child.isNode()) {
       visitNode(wide_.nodes.at(child.nodeIndex()), outer);
-    } else if (child.holdsObjects()) {
-      const LeafNode& leaf = tree_.nodes[child.leafIndex()].leaf();
-      const auto references = tree_.references.subspan(leaf.firstReference(), leaf.count());
-      objects.insert(references.begin(), references.end());
+    } else if (child.isObject()) {
+      objects.insert(tree_.references[child.reference()]);
     } else {
       for (std::uint32_t i = 0; i < child.blockCount(); ++i) {
         const TriangleBlock& block = wide_.blocks.at(child.firstBlock() + i);
