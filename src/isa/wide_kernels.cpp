@@ -1,7 +1,7 @@
 #include "isa/wide_kernels.hpp"
 
 // Of what Highway can compile for, the sets that differ enough to matter.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "isa/wide_kernels.cpp"

@@ -13,6 +13,7 @@
 
 #include "traversal/wide_query.hpp"
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 #include <cstddef>
 #include <type_traits>
@@ -47,8 +48,12 @@ HWY_INLINE void forEachVector(const Visit& visit) {
   forEachVector(std::make_index_sequence<kVectorCount>(), visit);
 }
 
-/// Sixteen floats, in as many vectors as that takes.
+/// Sixteen floats, in as many vectors as that takes. The constructor is written out, as is that of
+/// `BoxTest`: one that the compiler makes would be compiled for no instruction set in particular,
+/// and could not call those of vectors.
 struct Lanes {
+  HWY_INLINE Lanes() {}
+
   Floats vectors[kVectorCount];
 };
 
@@ -90,6 +95,8 @@ constexpr KeptLanes kKeptLanes;
 
 /// Where a ray enters and leaves the boxes of a node.
 struct BoxTest {
+  HWY_INLINE BoxTest() {}
+
   Lanes tNear;
   Lanes tFar;
 };
@@ -413,6 +420,21 @@ struct Progress {
     child = WideChild::fromWord(stack.children[size]);
     return true;
   }
+
+  /// Fetches the node that comes next if nothing is found before: the cells of a ray follow each
+  /// other, so that it is likely to be wanted, and far away in a large tree.
+  HWY_INLINE void prefetchNext(const WideQuery& query) const {
+    if (size == 0)
+      return;
+    const WideChild next = WideChild::fromWord(stack.children[size - 1]);
+    if (!next.isNode())
+      return;
+    const WideNode& node = query.nodes[next.nodeIndex()];
+    for (const auto& planes : node.planes)
+      hwy::Prefetch(planes);
+    hwy::Prefetch(node.children.data());
+    hwy::Prefetch(&node.orders[query.octant]);
+  }
 };
 
 /// Goes on until the query is answered, then returns false, or until the next thing to do is to
@@ -423,6 +445,8 @@ HWY_INLINE bool goToObjects(WideQuery& query, Progress& progress, WideChild& chi
   const BlockRay blockRay(query);
   Floats tMax = hn::Set(FloatTag(), query.hitT);
   while (progress.pop<kStopsAtAnyHit>(query.hitT, child)) {
+    if (query.isLargeTree)
+      progress.prefetchNext(query);
     if (child.isNode()) {
       const WideNode& node = query.nodes[child.nodeIndex()];
       BoxTest test;

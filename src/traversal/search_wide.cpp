@@ -8,12 +8,17 @@
 namespace planetree::detail {
 namespace {
 
+/// Sixteen megabytes of nodes, about what a thread has of a large cache. In smaller trees fetching
+/// ahead costs as much as it saves.
+constexpr std::size_t kLargeNodeCount = 32'768;
+
 /// A query of the wide form that can also reach what is not in its blocks.
 struct WideSearch : WideQuery {
   explicit WideSearch(const Query<float>& asked) noexcept : query(asked) {
     nodes = query.tree.wide->nodes.data();
     blocks = query.tree.wide->blocks.data();
     root = query.tree.wide->root;
+    isLargeTree = query.tree.wide->nodes.size() > kLargeNodeCount;
     tMin = query.interval.tMin;
     hitT = query.interval.tMax;
     if (!seesAll())
