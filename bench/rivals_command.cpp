@@ -8,6 +8,8 @@
 #include "bench/support/summary.hpp"
 #include "bench/usage_error.hpp"
 
+#include <planetree/traversal/instruction_set.hpp>
+
 #include <fmt/format.h>
 
 #include <CLI/Config.hpp>
@@ -55,6 +57,16 @@ void tellWhoIsMissing(const std::vector<std::string>& names) {
     if (!rival.engines && names.empty() && rival.joinsUnasked)
       say(fmt::format("{} is left out: {}", rival.name, howToGet(rival)));
   }
+}
+
+/// The library would use another one without a word.
+void checkInstructionSet() {
+  const std::string_view requested = requestedInstructionSet();
+  if (requested.empty() || requested == activeInstructionSet())
+    return;
+  throw UsageError(
+      fmt::format("PLANETREE_ISA={}: this machine runs no such instruction set", requested),
+      fmt::format("Unset it, or choose one of {}.", fmt::join(supportedInstructionSets(), ", ")));
 }
 
 EngineList selectEngines(const std::vector<std::string>& names) {
@@ -173,7 +185,8 @@ std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene&
 }
 
 std::string tables(const std::vector<Result>& results) {
-  std::string text = fmt::format("{}; {}; commit {}\n", machine(), compiler(), commit());
+  std::string text = fmt::format("{}; {}; {}; commit {}\n", machine(), activeInstructionSet(),
+                                 compiler(), commit());
   for (const Summary& summary : summarise(results))
     text += "\n" + toText(summary);
   return text + "\n* without options. Nx: planetree's default is N times better than this one.\n";
@@ -224,6 +237,7 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
 }
 
 int runRivalsCommand(const RivalsCommand& command) {
+  checkInstructionSet();
   checkNames(command.scenes);
   if (isNamed(command.measures, "memory") && !heapIsCounted())
     throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");

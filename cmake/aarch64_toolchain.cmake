@@ -4,6 +4,8 @@ set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+# Silent about how std::pair is passed, which GCC 10 has changed.
+set(CMAKE_CXX_FLAGS_INIT -Wno-psabi)
 
 # oneTBB, Highway and GoogleTest for AArch64; the C and C++ libraries come with the compiler.
 get_filename_component(planetree_sysroot ${CMAKE_CURRENT_LIST_DIR}/../build/aarch64-sysroot ABSOLUTE)

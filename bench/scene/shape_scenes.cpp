@@ -90,18 +90,6 @@ VirtualShape makeMixedShape(Scatter& scatter, std::size_t number) {
   }
 }
 
-template <class S>
-std::vector<Vec3f> cornersOf(const std::vector<S>& shapes) {
-  std::vector<Vec3f> corners;
-  corners.reserve(2 * shapes.size());
-  for (const S& shape : shapes) {
-    const Box3 bounds = objectBounds(shape);
-    corners.push_back(bounds.lower);
-    corners.push_back(bounds.upper);
-  }
-  return corners;
-}
-
 }  // namespace
 
 std::vector<Sphere<float>> makeSpheres(std::size_t count) {
@@ -122,6 +110,21 @@ std::vector<VirtualShape> makeMixedShapes(std::size_t count) {
   return shapes;
 }
 
+std::vector<Vec3f> boxCorners(const BenchScene& scene) {
+  std::vector<Vec3f> corners;
+  corners.reserve(2 * scene.objects().size());
+  const auto add = [&](const auto& shapes) {
+    for (const auto& shape : shapes) {
+      const Box3 bounds = objectBounds(shape);
+      corners.push_back(bounds.lower);
+      corners.push_back(bounds.upper);
+    }
+  };
+  add(scene.spheres);
+  add(scene.shapes);
+  return corners;
+}
+
 BenchScene makeShapeScene(std::string_view name) {
   BenchScene scene;
   scene.name = name;
@@ -129,7 +132,7 @@ BenchScene makeShapeScene(std::string_view name) {
     scene.spheres = makeSpheres();
   else
     scene.shapes = makeMixedShapes();
-  frameScene(scene, scene.spheres.empty() ? cornersOf(scene.shapes) : cornersOf(scene.spheres));
+  frameScene(scene, boxCorners(scene));
   return scene;
 }
 

@@ -28,6 +28,9 @@ inline constexpr std::size_t kMixedShapeCount = 250'000;
 /// any way if they can be: each on the heap, behind a virtual base.
 [[nodiscard]] std::vector<VirtualShape> makeMixedShapes(std::size_t count = kMixedShapeCount);
 
+/// The lower and the upper corner of the box of each shape of a scene: what to frame.
+[[nodiscard]] std::vector<Vec3f> boxCorners(const BenchScene& scene);
+
 /// One of `kShapeScenes`, looked at from outside.
 [[nodiscard]] BenchScene makeShapeScene(std::string_view name);
 
