@@ -1,11 +1,14 @@
 #include "bench/rivals_command.hpp"
 
+#include "bench/scene/shape_scenes.hpp"
 #include "bench/support/build_info.hpp"
 #include "bench/support/counted_heap.hpp"
 #include "bench/support/files.hpp"
 #include "bench/support/measure.hpp"
 #include "bench/support/summary.hpp"
 #include "bench/usage_error.hpp"
+
+#include <planetree/traversal/instruction_set.hpp>
 
 #include <fmt/format.h>
 
@@ -53,15 +56,30 @@ std::string fullName(const Rival& rival, const Engine& engine) {
   return rival.name + ":" + engine.mode();
 }
 
+void tellWhoIsMissing(const std::vector<std::string>& names) {
+  for (const Rival& rival : rivals()) {
+    if (!rival.engines && names.empty() && rival.joinsUnasked)
+      say(fmt::format("{} is left out: {}", rival.name, howToGet(rival)));
+  }
+}
+
+/// The library would use another one without a word.
+void checkInstructionSet() {
+  const std::string_view requested = requestedInstructionSet();
+  if (requested.empty() || requested == activeInstructionSet())
+    return;
+  throw UsageError(
+      fmt::format("PLANETREE_ISA={}: this machine runs no such instruction set", requested),
+      fmt::format("Unset it, or choose one of {}.", fmt::join(supportedInstructionSets(), ", ")));
+}
+
 EngineList selectEngines(const std::vector<std::string>& names) {
   EngineList selected;
   std::set<std::string> known;
   for (const Rival& rival : rivals()) {
     known.insert(rival.name);
     if (!rival.engines) {
-      if (takesPart(rival, names) && names.empty())
-        say(fmt::format("{} is left out: {}", rival.name, howToGet(rival)));
-      else if (takesPart(rival, names))
+      if (!names.empty() && takesPart(rival, names))
         throw std::runtime_error(fmt::format("{}: {}", rival.name, howToGet(rival)));
       continue;
     }
@@ -96,6 +114,25 @@ std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
       kinds.push_back(kind);
   }
   return kinds;
+}
+
+bool isShapeScene(const std::filesystem::path& scene) {
+  return std::find(kShapeScenes.begin(), kShapeScenes.end(), scene.string()) != kShapeScenes.end();
+}
+
+/// Those of the engines that can hold shapes.
+EngineList selectEnginesForShapes(const std::vector<std::string>& names) {
+  EngineList engines = selectEngines(names);
+  std::erase_if(engines, [](const auto& engine) { return !engine->takesShapes(); });
+  if (engines.empty()) {
+    throw UsageError("--engines: none of these takes shapes",
+                     "Name planetree or embree3 besides, or leave out the scenes of shapes.");
+  }
+  return engines;
+}
+
+BenchScene sceneFor(const std::filesystem::path& scene) {
+  return isShapeScene(scene) ? makeShapeScene(scene.string()) : loadScene(scene);
 }
 
 /// Scenes are told apart by their names alone, in the JSON and in the tables.
@@ -145,9 +182,10 @@ std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene&
   for (const std::string& measure : command.measures) {
     MeasureSettings settings = settingsFor(command, measure);
     settings.areAnswersChecked = !results.empty();
-    say(fmt::format("{}: {} triangles, measuring {} on {} {}", scene.name, scene.mesh.faces.size(),
-                    measure, settings.threadCount,
-                    settings.threadCount == 1 ? "thread" : "threads"));
+    const SceneObjects objects = scene.objects();
+    say(fmt::format("{}: {} {}, measuring {} on {} {}", scene.name, objects.size(),
+                    objects.mesh() != nullptr ? "triangles" : "shapes", measure,
+                    settings.threadCount, settings.threadCount == 1 ? "thread" : "threads"));
     const auto measured = measure == "build"    ? measureBuild(scene, engines, settings)
                           : measure == "memory" ? measureMemory(scene, engines, settings)
                                                 : measureRays(scene, engines, settings);
@@ -157,7 +195,8 @@ std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene&
 }
 
 std::string tables(const std::vector<Result>& results) {
-  std::string text = fmt::format("{}; {}; commit {}\n", machine(), compiler(), commit());
+  std::string text = fmt::format("{}; {}; {}; commit {}\n", machine(), activeInstructionSet(),
+                                 compiler(), commit());
   for (const Summary& summary : summarise(results))
     text += "\n" + toText(summary);
   return text + "\n* without options. Nx: planetree's default is N times better than this one.\n";
@@ -168,7 +207,10 @@ std::string tables(const std::vector<Result>& results) {
 CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
   CLI::App* const rivals =
       app.add_subcommand("rivals", "Measure planetree and other libraries side by side in one run");
-  rivals->add_option("scenes", command.scenes, "Models to measure with")
+  rivals
+      ->add_option("scenes", command.scenes,
+                   "Models to measure with; spheres and shapes are scenes made in code: a million "
+                   "spheres, and virtual shapes of five kinds")
       ->required()
       ->type_name("SCENE");
   rivals->add_option("--measure", command.measures, "What to measure: build, rays, memory")
@@ -206,22 +248,30 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
 }
 
 int runRivalsCommand(const RivalsCommand& command) {
+  checkInstructionSet();
   checkNames(command.scenes);
   if (isNamed(command.measures, "memory") && !heapIsCounted())
     throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");
+  tellWhoIsMissing(command.engines);
   const EngineList engines = selectEngines(command.engines);
+  const bool hasShapes = std::any_of(command.scenes.begin(), command.scenes.end(), isShapeScene);
+  const EngineList shapeEngines =
+      hasShapes ? selectEnginesForShapes(command.engines) : EngineList();
   const bool printsJson = command.json == kStandardOutput;
   const bool writesJson = !command.json.empty();
   if (writesJson)
     checkIsWritable(command.json);
   // Before the first is measured, which may take an hour.
-  for (const auto& file : command.scenes)
-    checkIsReadable(file);
+  for (const auto& file : command.scenes) {
+    if (!isShapeScene(file))
+      checkIsReadable(file);
+  }
   warnOfUnfitMachine();
 
   std::vector<Result> results;
   for (const auto& file : command.scenes) {
-    const auto measured = measureScene(command, loadScene(file), engines);
+    const auto measured =
+        measureScene(command, sceneFor(file), isShapeScene(file) ? shapeEngines : engines);
     results.insert(results.end(), measured.begin(), measured.end());
     // After each scene: what was measured stays if a later one fails.
     if (writesJson && isReplacedWhenWritten(command.json))

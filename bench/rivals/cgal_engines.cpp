@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -132,10 +133,15 @@ class CgalEngine final : public Engine {
   [[nodiscard]] std::string mode() const override { return "aabb-tree"; }
   [[nodiscard]] bool isDefault() const override { return true; }
 
+  /// Its primitives must come with CGAL's own intersections.
+  [[nodiscard]] bool takesShapes() const override { return false; }
+
   /// CGAL builds on one thread, whatever is asked for.
-  [[nodiscard]] std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
+  [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                  unsigned /*threadCount*/) const override {
-    return std::make_unique<CgalStructure>(mesh);
+    if (objects.mesh() == nullptr)
+      throw std::logic_error("CGAL takes no shapes. Leave it out.");
+    return std::make_unique<CgalStructure>(*objects.mesh());
   }
 };
 

@@ -6,7 +6,9 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 /// Embree 3 from Debian, used as its manual recommends: denormals are flushed while it works.
@@ -56,6 +58,99 @@ Hitf fromEmbree(const RTCRayHit& found) {
           .primitive = found.hit.primID};
 }
 
+/// What Embree hands on to the callbacks of shapes: with it the ray as it was given need not be put
+/// together again from Embree's.
+struct RayContext {
+  RTCIntersectContext embree;  ///< first, so that a pointer to it is one to the whole
+  const Rayf* ray = nullptr;
+
+  RayContext() { rtcInitIntersectContext(&embree); }
+
+  [[nodiscard]] static const Rayf& rayOf(const RTCIntersectContext* context) noexcept {
+    return *reinterpret_cast<const RayContext*>(context)->ray;
+  }
+};
+
+template <class S>
+const S& shapeOf(const void* shapes, unsigned number) noexcept {
+  return static_cast<const S*>(shapes)[number];
+}
+
+template <class S>
+void boundShape(const RTCBoundsFunctionArguments* arguments) {
+  const Box3 box = objectBounds(shapeOf<S>(arguments->geometryUserPtr, arguments->primID));
+  RTCBounds& bounds = *arguments->bounds_o;
+  bounds.lower_x = box.lower.x;
+  bounds.lower_y = box.lower.y;
+  bounds.lower_z = box.lower.z;
+  bounds.upper_x = box.upper.x;
+  bounds.upper_y = box.upper.y;
+  bounds.upper_z = box.upper.z;
+}
+
+/// For single rays, as all of the benchmark are.
+template <class S>
+void intersectShape(const RTCIntersectFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0)
+    return;
+  auto& found = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
+  const auto hit =
+      objectIntersect(shapeOf<S>(arguments->geometryUserPtr, arguments->primID),
+                      RayContext::rayOf(arguments->context), found.ray.tnear, found.ray.tfar);
+  if (!hit)
+    return;
+  found.ray.tfar = hit->t;
+  found.hit.u = hit->u;
+  found.hit.v = hit->v;
+  found.hit.Ng_x = hit->normal.x;
+  found.hit.Ng_y = hit->normal.y;
+  found.hit.Ng_z = hit->normal.z;
+  found.hit.primID = arguments->primID;
+  found.hit.geomID = arguments->geomID;
+  found.hit.instID[0] = arguments->context->instID[0];
+}
+
+template <class S>
+void occludeShape(const RTCOccludedFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0)
+    return;
+  auto& ray = *reinterpret_cast<RTCRay*>(arguments->ray);
+  if (objectIntersect(shapeOf<S>(arguments->geometryUserPtr, arguments->primID),
+                      RayContext::rayOf(arguments->context), ray.tnear, ray.tfar))
+    ray.tfar = -std::numeric_limits<float>::infinity();
+}
+
+/// The geometry of a mesh or of shapes, to be released by the caller.
+RTCGeometry makeGeometry(RTCDevice device, const TriangleMesh<float>& mesh) {
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             mesh.positions.data(), 0, sizeof(Vec3f), mesh.positions.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.faces.data(), 0, sizeof(FaceIndices), mesh.faces.size());
+  return geometry;
+}
+template <class S>
+RTCGeometry makeGeometry(RTCDevice device, std::span<const S> shapes) {
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(shapes.size()));
+  // Embree has no pointer to const; the callbacks only read.
+  rtcSetGeometryUserData(geometry, const_cast<S*>(shapes.data()));
+  rtcSetGeometryBoundsFunction(geometry, &boundShape<S>, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, &intersectShape<S>);
+  rtcSetGeometryOccludedFunction(geometry, &occludeShape<S>);
+  return geometry;
+}
+RTCGeometry makeGeometry(RTCDevice device, const SceneObjects& objects) {
+  if (const TriangleMesh<float>* const mesh = objects.mesh())
+    return makeGeometry(device, *mesh);
+  return objects.visit([&]<class Input>(const Input& shapes) -> RTCGeometry {
+    if constexpr (std::is_same_v<Input, TriangleMeshView<float>>)
+      return nullptr;
+    else
+      return makeGeometry(device, shapes);
+  });
+}
+
 /// Threads, and what Embree keeps for all scenes of a program. Making one is not part of a build.
 class Device {
  public:
@@ -86,18 +181,14 @@ class Device {
 
 class Embree3Structure final : public Structure {
  public:
-  Embree3Structure(std::shared_ptr<const Device> device, const TriangleMesh<float>& mesh,
+  Embree3Structure(std::shared_ptr<const Device> device, const SceneObjects& objects,
                    RTCBuildQuality quality, RTCSceneFlags flags)
       : device_(std::move(device)), scene_(rtcNewScene(device_->get())) {
     const DenormalsFlushed flushed;
     rtcSetSceneBuildQuality(scene_, quality);
     rtcSetSceneFlags(scene_, flags);
-    const RTCGeometry geometry = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    const RTCGeometry geometry = makeGeometry(device_->get(), objects);
     rtcSetGeometryBuildQuality(geometry, quality);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               mesh.positions.data(), 0, sizeof(Vec3f), mesh.positions.size());
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               mesh.faces.data(), 0, sizeof(FaceIndices), mesh.faces.size());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
@@ -111,25 +202,25 @@ class Embree3Structure final : public Structure {
 
   void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const override {
     const DenormalsFlushed flushed;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    RayContext context;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       RTCRayHit rayHit;
       rayHit.ray = toEmbree(rays[i]);
       rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(scene_, &context, &rayHit);
+      context.ray = &rays[i];
+      rtcIntersect1(scene_, &context.embree, &rayHit);
       hits[i] = fromEmbree(rayHit);
     }
   }
 
   void findOcclusions(std::span<const Rayf> rays, std::span<std::uint8_t> occluded) const override {
     const DenormalsFlushed flushed;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    RayContext context;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       RTCRay ray = toEmbree(rays[i]);
-      rtcOccluded1(scene_, &context, &ray);
+      context.ray = &rays[i];
+      rtcOccluded1(scene_, &context.embree, &ray);
       // Embree tells an occluded ray by a negative tfar.
       occluded[i] = ray.tfar < 0.0f ? 1 : 0;
     }
@@ -151,9 +242,9 @@ class Embree3Engine final : public Engine {
     return quality_ == RTC_BUILD_QUALITY_MEDIUM && flags_ == RTC_SCENE_FLAG_NONE;
   }
 
-  [[nodiscard]] std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
+  [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                  unsigned threadCount) const override {
-    return std::make_unique<Embree3Structure>(Device::with(threadCount), mesh, quality_, flags_);
+    return std::make_unique<Embree3Structure>(Device::with(threadCount), objects, quality_, flags_);
   }
 
  private:

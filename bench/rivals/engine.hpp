@@ -1,10 +1,10 @@
 #pragma once
 
+#include "bench/scene/scene_objects.hpp"
 #include "bench/support/precision.hpp"
 
 #include <planetree/geometry/ray.hpp>
 #include <planetree/hit/hit.hpp>
-#include <planetree/mesh/triangle_mesh.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -16,10 +16,12 @@
 /// The rules are the same for all. Each reads the same array of rays and writes the same array of
 /// hits, with t, u, v, normal and ids; what turning a `Rayf` into its own ray costs a library is
 /// part of using it. Each ray is answered by a call into compiled code of the library, or, for a
-/// library of headers only, by a function that is not inlined.
+/// library of headers only, by a function that is not inlined. Shapes are bounded and tested by
+/// planetree's own code for all of them.
 namespace planetree::bench {
 
-/// What a library has made of a mesh. Its queries may be called from several threads at once.
+/// What a library has made of a mesh or of shapes. Its queries may be called from several threads
+/// at once.
 class Structure {
  public:
   Structure() = default;
@@ -53,14 +55,16 @@ class Engine {
   /// In which precision rays are traced. Brute force does as the engine does; its hits, like those
   /// of the engine, are rounded to float at the end.
   [[nodiscard]] virtual Precision precision() const { return Precision::Float; }
-  /// Whether queries read the arrays that the structure was made from, so that these belong to the
-  /// memory it takes.
+  /// Whether queries read the arrays of a mesh that the structure was made from, so that these
+  /// belong to the memory it takes.
   [[nodiscard]] virtual bool queriesReadMesh() const { return false; }
+  /// Whether it can hold anything but triangles.
+  [[nodiscard]] virtual bool takesShapes() const { return true; }
 
   /// Everything from the arrays to the first ray that can be traced. The arrays stay the caller's
-  /// and outlive the structure; sixteen bytes can be read from the last position on. Uses
+  /// and outlive the structure; sixteen bytes can be read from the last position of a mesh on. Uses
   /// `threadCount` threads where the library has a choice.
-  [[nodiscard]] virtual std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
+  [[nodiscard]] virtual std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                          unsigned threadCount) const = 0;
 };
 

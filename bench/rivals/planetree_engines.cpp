@@ -10,10 +10,12 @@ namespace planetree::bench {
 
 namespace {
 
-template <class T>
+template <class O>
 class PlanetreeStructure final : public Structure {
  public:
-  explicit PlanetreeStructure(KdTree<Face<T>> tree) : tree_(std::move(tree)) {}
+  using T = ScalarOf<O>;
+
+  explicit PlanetreeStructure(KdTree<O> tree) : tree_(std::move(tree)) {}
 
   void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
@@ -26,8 +28,13 @@ class PlanetreeStructure final : public Structure {
   }
 
  private:
-  KdTree<Face<T>> tree_;
+  KdTree<O> tree_;
 };
+
+template <class O>
+std::unique_ptr<Structure> structureOf(KdTree<O> tree) {
+  return std::make_unique<PlanetreeStructure<O>>(std::move(tree));
+}
 
 template <class T>
 class PlanetreeEngine final : public Engine {
@@ -45,15 +52,17 @@ class PlanetreeEngine final : public Engine {
   /// Leaves name faces, and the triangle test looks their corners up. A tree of doubles looks into
   /// a copy of its own.
   [[nodiscard]] bool queriesReadMesh() const override { return kIsFloat; }
+  /// The shapes of scenes are in float.
+  [[nodiscard]] bool takesShapes() const override { return kIsFloat; }
 
-  [[nodiscard]] std::unique_ptr<Structure> build(const TriangleMesh<float>& mesh,
+  [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                  unsigned threadCount) const override {
     BuildOptions options = options_;
     options.threadCount = threadCount;
     if constexpr (kIsFloat)
-      return std::make_unique<PlanetreeStructure<T>>(buildTree(mesh.view(), options));
+      return objects.visit([&](auto input) { return structureOf(buildTree(input, options)); });
     else
-      return std::make_unique<PlanetreeStructure<T>>(buildTree(meshIn<T>(mesh), options));
+      return structureOf(buildTree(meshIn<T>(*objects.mesh()), options));
   }
 
  private:

@@ -15,9 +15,9 @@ namespace planetree::bench {
 
 namespace {
 
-double diagonalOf(const TriangleMesh<float>& mesh) {
+double diagonalOf(std::span<const Vec3f> positions) {
   Box3 bounds;
-  for (const Vec3f& position : mesh.positions) {
+  for (const Vec3f& position : positions) {
     if (isFinite(position))
       bounds.extend(position);
   }
@@ -38,6 +38,19 @@ bool canBeHit(const TriangleMesh<float>& mesh) {
 }
 
 }  // namespace
+
+SceneObjects BenchScene::objects() const {
+  if (!spheres.empty())
+    return std::span(spheres);
+  if (!shapes.empty())
+    return std::span(shapes);
+  return mesh;
+}
+
+void frameScene(BenchScene& scene, std::span<const Vec3f> positions) {
+  scene.camera = sceneCamera(scene.name, positions);
+  scene.diagonal = diagonalOf(positions);
+}
 
 std::string sceneName(const std::filesystem::path& file) {
   return file.stem().string();
@@ -65,9 +78,8 @@ BenchScene makeScene(std::string name, TriangleMesh<float> mesh) {
   // Embree reads sixteen bytes from each position on.
   mesh.positions.reserve(mesh.positions.size() + 1);
   BenchScene scene;
-  scene.camera = sceneCamera(name, mesh.positions);
-  scene.diagonal = diagonalOf(mesh);
   scene.name = std::move(name);
+  frameScene(scene, mesh.positions);
   scene.mesh = std::move(mesh);
   return scene;
 }

@@ -5,6 +5,7 @@
 
 #include <planetree/geometry/sheared_ray.hpp>
 #include <planetree/mesh/triangle_intersection.hpp>
+#include <planetree/object.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -86,13 +87,28 @@ Hit<T> bruteForceHit(const TriangleMeshView<T>& mesh, const Ray<T>& ray) {
   return nearest;
 }
 
-template <class T>
-std::vector<Hitf> bruteForceHits(const TriangleMeshView<T>& mesh, const std::vector<Rayf>& rays,
+template <class S>
+Hitf bruteForceHit(std::span<const S> shapes, const Rayf& ray) {
+  Hitf nearest;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    auto hit = objectIntersect(shapes[i], ray, ray.tMin, ray.tMax);
+    if (!hit)
+      continue;
+    hit->geometry = 0;
+    hit->primitive = static_cast<std::uint32_t>(i);
+    if (isBefore(*hit, nearest))
+      nearest = *hit;
+  }
+  return nearest;
+}
+
+template <class T, class Input>
+std::vector<Hitf> bruteForceHits(const Input& input, const std::vector<Rayf>& rays,
                                  unsigned threadCount) {
   std::vector<Hitf> hits(rays.size());
   parallelFor(hits.size(), 1, threadCount, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      hits[i] = inFloat(bruteForceHit(mesh, rayIn<T>(rays[i])));
+      hits[i] = inFloat(bruteForceHit(input, rayIn<T>(rays[i])));
   });
   return hits;
 }
@@ -136,11 +152,14 @@ Disagreement compareAnswers(const Answers& answers, const Answers& reference, do
   return found;
 }
 
-Answers bruteForceAnswers(const TriangleMesh<float>& mesh, const RaySet& set, unsigned threadCount,
+Answers bruteForceAnswers(const SceneObjects& objects, const RaySet& set, unsigned threadCount,
                           Precision precision) {
-  std::vector<Hitf> hits = precision == Precision::Float
-                               ? bruteForceHits(mesh.view(), set.rays, threadCount)
-                               : bruteForceHits(meshIn<double>(mesh).view(), set.rays, threadCount);
+  std::vector<Hitf> hits =
+      precision == Precision::Float
+          ? objects.visit([&](const auto& input) {
+              return bruteForceHits<float>(input, set.rays, threadCount);
+            })
+          : bruteForceHits<double>(meshIn<double>(*objects.mesh()).view(), set.rays, threadCount);
   Answers answers;
   if (!asksForAnyHit(set.kind)) {
     answers.hits = std::move(hits);
@@ -181,7 +200,7 @@ Answers selected(const Answers& answers, const std::vector<std::size_t>& places)
   return chosen;
 }
 
-std::vector<CheckedPair> checkAnswers(const TriangleMesh<float>& mesh, const RaySet& set,
+std::vector<CheckedPair> checkAnswers(const SceneObjects& objects, const RaySet& set,
                                       const std::vector<CheckedAnswers>& all, double diagonal,
                                       std::size_t sampleSize, unsigned threadCount) {
   const std::vector<std::size_t> places = sampleOf(set, sampleSize);
@@ -191,7 +210,7 @@ std::vector<CheckedPair> checkAnswers(const TriangleMesh<float>& mesh, const Ray
   for (const CheckedAnswers& checked : all) {
     const auto [truth, isNew] = truths.try_emplace(checked.precision);
     if (isNew)
-      truth->second = bruteForceAnswers(mesh, sample, threadCount, checked.precision);
+      truth->second = bruteForceAnswers(objects, sample, threadCount, checked.precision);
     const Disagreement found =
         compareAnswers(selected(checked.answers, places), truth->second, diagonal);
     pairs.push_back(

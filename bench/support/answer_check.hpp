@@ -3,8 +3,6 @@
 #include "bench/rivals/engine.hpp"
 #include "bench/support/ray_kinds.hpp"
 
-#include <planetree/mesh/triangle_mesh.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -57,8 +55,9 @@ inline constexpr double kAllowedWrong = 0.005;
 [[nodiscard]] Disagreement compareAnswers(const Answers& answers, const Answers& reference,
                                           double diagonal);
 
-/// The answers of testing every face with every ray, on `threadCount` threads.
-[[nodiscard]] Answers bruteForceAnswers(const TriangleMesh<float>& mesh, const RaySet& set,
+/// The answers of testing every object with every ray, on `threadCount` threads. Only meshes can be
+/// asked in double.
+[[nodiscard]] Answers bruteForceAnswers(const SceneObjects& objects, const RaySet& set,
                                         unsigned threadCount,
                                         Precision precision = Precision::Float);
 
@@ -91,8 +90,7 @@ struct CheckedPair {
 /// first engine on all rays. An exact engine must have the bits of brute force in its own
 /// precision; the others may be wrong about `kAllowedWrong` of the rays, and one ray of a small
 /// set, and so may exact ones of different precision about each other's.
-[[nodiscard]] std::vector<CheckedPair> checkAnswers(const TriangleMesh<float>& mesh,
-                                                    const RaySet& set,
+[[nodiscard]] std::vector<CheckedPair> checkAnswers(const SceneObjects& objects, const RaySet& set,
                                                     const std::vector<CheckedAnswers>& all,
                                                     double diagonal, std::size_t sampleSize,
                                                     unsigned threadCount);

@@ -23,14 +23,14 @@ constexpr unsigned kMemoryRounds = 2;
 constexpr RayCounts kCheckedRayCounts = {.pictureSize = 256, .randomCount = 65'536};
 
 std::size_t sampleSize(const BenchScene& scene, const MeasureSettings& settings) {
-  return std::clamp(settings.bruteForceTests / std::max<std::size_t>(scene.mesh.faces.size(), 1),
+  return std::clamp(settings.bruteForceTests / std::max<std::size_t>(scene.objects().size(), 1),
                     kFewestSampleRays, kMostSampleRays);
 }
 
 Structures buildAll(const BenchScene& scene, const EngineList& engines, unsigned threadCount) {
   Structures structures;
   for (const auto& engine : engines)
-    structures.push_back(engine->build(scene.mesh, threadCount));
+    structures.push_back(engine->build(scene.objects(), threadCount));
   return structures;
 }
 
@@ -38,7 +38,7 @@ std::string describe(const CheckedPair& pair) {
   const Disagreement& found = pair.disagreement;
   return fmt::format(
       "{} {} against {}, of {} rays: {} missed, {} invented, {} at another distance, "
-      "{} of another face at the same distance{}",
+      "{} of another object at the same distance{}",
       pair.engine, pair.mode, pair.reference, found.rayCount, found.missed, found.invented,
       found.otherDistance, found.otherId, pair.isAcceptable ? "" : ": WRONG");
 }
@@ -62,8 +62,8 @@ std::vector<CheckedAnswers> allAnswers(const EngineList& engines, const Structur
 
 void check(const BenchScene& scene, const RaySet& set, const std::vector<CheckedAnswers>& all,
            const MeasureSettings& settings) {
-  const auto pairs = checkAnswers(scene.mesh, set, all, scene.diagonal, sampleSize(scene, settings),
-                                  hardwareThreads());
+  const auto pairs = checkAnswers(scene.objects(), set, all, scene.diagonal,
+                                  sampleSize(scene, settings), hardwareThreads());
   bool areAcceptable = true;
   for (const CheckedPair& pair : pairs) {
     areAcceptable = areAcceptable && pair.isAcceptable;
@@ -82,7 +82,8 @@ void checkAll(const BenchScene& scene, const EngineList& engines, const MeasureS
   if (settings.areAnswersChecked)
     return;
   const Structures structures = buildAll(scene, engines, settings.threadCount);
-  for (const RaySet& set : makeRaySets(scene.mesh, scene.camera, settings.kinds, kCheckedRayCounts))
+  for (const RaySet& set :
+       makeRaySets(scene.objects(), scene.camera, settings.kinds, kCheckedRayCounts))
     check(scene, set, allAnswers(engines, structures, set, hardwareThreads()), settings);
 }
 
@@ -110,7 +111,7 @@ double buildSeconds(const BenchScene& scene, const Engine& engine, unsigned thre
   const Rayf ray = firstRay(scene);
   std::unique_ptr<Structure> structure;  // outlives the clock: giving it back is not building
   return secondsOf([&] {
-    structure = engine.build(scene.mesh, threadCount);
+    structure = engine.build(scene.objects(), threadCount);
     Hitf hit;
     structure->findIntersections(std::span(&ray, 1), std::span(&hit, 1));
   });
@@ -118,9 +119,10 @@ double buildSeconds(const BenchScene& scene, const Engine& engine, unsigned thre
 
 double heldBytes(const BenchScene& scene, const Engine& engine, unsigned threadCount) {
   const HeapCount count;
-  const auto structure = engine.build(scene.mesh, threadCount);
+  const auto structure = engine.build(scene.objects(), threadCount);
   auto bytes = static_cast<double>(count.bytes());
-  if (engine.queriesReadMesh()) {
+  // All read the shapes: they are nobody's, like the rays.
+  if (engine.queriesReadMesh() && scene.objects().mesh() != nullptr) {
     bytes += static_cast<double>(scene.mesh.positions.size() * sizeof(Vec3f) +
                                  scene.mesh.faces.size() * sizeof(FaceIndices));
   }
@@ -133,7 +135,8 @@ std::vector<Result> measureRays(const BenchScene& scene, const EngineList& engin
                                 const MeasureSettings& settings) {
   const Structures structures = buildAll(scene, engines, settings.buildThreadCount);
   std::vector<Result> results;
-  for (const RaySet& set : makeRaySets(scene.mesh, scene.camera, settings.kinds, settings.counts)) {
+  for (const RaySet& set :
+       makeRaySets(scene.objects(), scene.camera, settings.kinds, settings.counts)) {
     if (set.rays.empty()) {
       settings.say(fmt::format("{}: there are no {} rays, since no primary ray hits", scene.name,
                                rayKindName(set.kind)));
@@ -175,11 +178,11 @@ std::vector<Result> measureMemory(const BenchScene& scene, const EngineList& eng
   const auto bytes = bestOfRounds(engines.size(), kMemoryRounds, [&](std::size_t i) {
     return heldBytes(scene, *engines[i], settings.threadCount);
   });
-  const auto triangles = static_cast<double>(scene.mesh.faces.size());
+  const auto objectCount = static_cast<double>(scene.objects().size());
   std::vector<Result> results;
   for (std::size_t i = 0; i < engines.size(); ++i)
     results.push_back(resultOf(scene, *engines[i], kBytesPerTriangle, "", settings.threadCount,
-                               bytes[i] / triangles));
+                               bytes[i] / objectCount));
   return results;
 }
 

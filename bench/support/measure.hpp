@@ -24,8 +24,8 @@ struct MeasureSettings {
   /// The same engines were checked on the same scene before: what traces no rays is measured
   /// without another check.
   bool areAnswersChecked = false;
-  /// Triangle tests that the brute force of one kind of rays may take: it decides how many rays
-  /// are in the sample.
+  /// Tests of single objects that the brute force of one kind of rays may take: it decides how many
+  /// rays are in the sample.
   std::size_t bruteForceTests = 400'000'000;
   /// What the measurements have to say beside their results, a line at a time.
   std::function<void(const std::string&)> say = [](const std::string&) {};
@@ -49,9 +49,9 @@ class WrongAnswers : public std::runtime_error {
 [[nodiscard]] std::vector<Result> measureBuild(const BenchScene& scene, const EngineList& engines,
                                                const MeasureSettings& settings);
 
-/// `bytes_per_triangle`: the memory held by the finished structure, and the arrays of the mesh
-/// where queries read them. The least of two builds: the first also pays for what is set up once.
-/// Throws `std::logic_error` where `heapIsCounted()` says no.
+/// `bytes_per_triangle`, or for each shape: the memory held by the finished structure, and the
+/// arrays of the mesh where queries read them. The least of two builds: the first also pays for
+/// what is set up once. Throws `std::logic_error` where `heapIsCounted()` says no.
 [[nodiscard]] std::vector<Result> measureMemory(const BenchScene& scene, const EngineList& engines,
                                                 const MeasureSettings& settings);
 

@@ -55,8 +55,9 @@ SurfacePoint surfacePoint(const Rayf& ray, const Hitf& hit, double diagonal) {
   return {point + towardViewer * (kSurfaceOffset * diagonal), towardViewer};
 }
 
-std::vector<SurfacePoint> visiblePoints(const KdTree<Face<float>>& tree,
-                                        const std::vector<Rayf>& primary, double diagonal) {
+template <class O>
+std::vector<SurfacePoint> visiblePoints(const KdTree<O>& tree, const std::vector<Rayf>& primary,
+                                        double diagonal) {
   std::vector<SurfacePoint> points;
   points.reserve(primary.size());
   for (const Rayf& ray : primary) {
@@ -131,10 +132,11 @@ std::string_view rayKindName(RayKind kind) noexcept {
   return "unknown";
 }
 
-std::vector<RaySet> makeRaySets(const TriangleMesh<float>& mesh, const render::Camera& camera,
+namespace {
+
+template <class O>
+std::vector<RaySet> makeRaySets(const KdTree<O>& tree, const render::Camera& camera,
                                 const std::vector<RayKind>& kinds, const RayCounts& counts) {
-  const TriangleMeshView<float> view = mesh.view();
-  const KdTree<Face<float>> tree = buildTree(view);
   const bool isEmpty = tree.bounds().isEmpty();
   const double diagonal =
       isEmpty ? 0.0 : length(Vec3d(tree.bounds().upper) - Vec3d(tree.bounds().lower));
@@ -162,6 +164,14 @@ std::vector<RaySet> makeRaySets(const TriangleMesh<float>& mesh, const render::C
     }
   }
   return sets;
+}
+
+}  // namespace
+
+std::vector<RaySet> makeRaySets(const SceneObjects& objects, const render::Camera& camera,
+                                const std::vector<RayKind>& kinds, const RayCounts& counts) {
+  return objects.visit(
+      [&](auto input) { return makeRaySets(buildTree(input), camera, kinds, counts); });
 }
 
 }  // namespace planetree::bench

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "bench/scene/scene_objects.hpp"
 #include "render/camera.hpp"
 
 #include <planetree/geometry/ray.hpp>
-#include <planetree/mesh/triangle_mesh.hpp>
 
 #include <array>
 #include <cstddef>
@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-/// The rays that everything is measured with. They are a function of the mesh and the camera alone:
-/// the same on every machine but for the rounding of sine, cosine and tangent, and for any engine,
-/// since planetree's own tree says where the primary rays end.
+/// The rays that everything is measured with. They are a function of the objects and the camera
+/// alone: the same on every machine but for the rounding of sine, cosine and tangent, and for any
+/// engine, since planetree's own tree says where the primary rays end.
 ///
 /// All have unit directions and tMin = 0.
 namespace planetree::bench {
@@ -54,9 +54,9 @@ struct RayCounts {
   std::size_t randomCount = 1'000'000;
 };
 
-/// The rays of each kind asked for, in that order. A mesh without a usable face has no rays of the
-/// kinds that start on it.
-[[nodiscard]] std::vector<RaySet> makeRaySets(const TriangleMesh<float>& mesh,
+/// The rays of each kind asked for, in that order. Where no object can be hit there are no rays of
+/// the kinds that start on one.
+[[nodiscard]] std::vector<RaySet> makeRaySets(const SceneObjects& objects,
                                               const render::Camera& camera,
                                               const std::vector<RayKind>& kinds,
                                               const RayCounts& counts);

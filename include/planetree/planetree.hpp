@@ -19,3 +19,4 @@
 #include <planetree/split/build_options.hpp>
 #include <planetree/split/build_report.hpp>
 #include <planetree/split/find_best_split_plane.hpp>
+#include <planetree/traversal/instruction_set.hpp>

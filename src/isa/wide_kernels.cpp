@@ -1,7 +1,10 @@
 #include "isa/wide_kernels.hpp"
 
 // Of what Highway can compile for, the sets that differ enough to matter.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+// All others on every machine, plain code too where the compiler could take something better for
+// granted.
+#define HWY_COMPILE_ALL_ATTAINABLE
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "isa/wide_kernels.cpp"
@@ -12,8 +15,9 @@
 #include "isa/wide_traversal-inl.hpp"
 
 #if HWY_ONCE
+#include <planetree/traversal/instruction_set.hpp>
+
 #include <array>
-#include <cstdlib>
 
 namespace planetree::detail {
 namespace {
@@ -51,8 +55,9 @@ struct SupportedKernels {
   SupportedKernels() noexcept {
     const std::int64_t supported = hwy::SupportedTargets();
     for (const Target& target : kTargets) {
-      // Plain code runs everywhere; Highway names it only where nothing better does.
-      if ((supported & target.bit) != 0 || target.bit == HWY_STATIC_TARGET)
+      // Highway does not name what runs everywhere.
+      const bool isPlain = (target.bit & (HWY_EMU128 | HWY_SCALAR)) != 0;
+      if (isPlain || (supported & target.bit) != 0 || target.bit == HWY_STATIC_TARGET)
         kernels[count++] = target.kernels;
     }
   }
@@ -67,9 +72,9 @@ std::span<const WideKernels> supportedWideKernels() noexcept {
 
 const WideKernels& wideKernels() noexcept {
   static const WideKernels& chosen = []() -> const WideKernels& {
-    const char* const wanted = std::getenv("PLANETREE_ISA");
+    const std::string_view wanted = requestedInstructionSet();
     for (const WideKernels& kernels : supportedWideKernels()) {
-      if (wanted != nullptr && kernels.name == wanted)
+      if (kernels.name == wanted)
         return kernels;
     }
     return supportedWideKernels().front();

@@ -24,8 +24,8 @@ struct WideKernels {
 /// Those that this machine can run, the best one first.
 [[nodiscard]] std::span<const WideKernels> supportedWideKernels() noexcept;
 
-/// The best one, unless the environment variable PLANETREE_ISA names another one that this machine
-/// can run. Chosen at the first call, once for the program.
+/// The best one, unless PLANETREE_ISA names another: see instruction_set.hpp. Chosen at the first
+/// call, once for the program.
 [[nodiscard]] const WideKernels& wideKernels() noexcept;
 
 }  // namespace planetree::detail

@@ -51,8 +51,12 @@ HWY_INLINE void forEachVector(const Visit& visit) {
   forEachVector(std::make_index_sequence<kVectorCount>(), visit);
 }
 
-/// Sixteen floats, in as many vectors as that takes.
+/// Sixteen floats, in as many vectors as that takes. The constructor is written out, as is that of
+/// `BoxTest`: one that the compiler makes would be compiled for no instruction set in particular,
+/// and could not call those of vectors.
 struct Lanes {
+  HWY_INLINE Lanes() {}
+
   Floats vectors[kVectorCount];
 };
 
@@ -94,6 +98,8 @@ constexpr KeptLanes kKeptLanes;
 
 /// Where a ray enters and leaves the boxes of a node.
 struct BoxTest {
+  HWY_INLINE BoxTest() {}
+
   Lanes tNear;
   Lanes tFar;
 };
@@ -517,8 +523,8 @@ struct Progress {
   }
 };
 
-/// Goes on until the next thing to do is to test the objects of a leaf, which is returned, or the
-/// candidates of its blocks; or until the query is answered, then returns `end`. A function of its
+/// Goes on until the next thing to do is to test an object, which is returned, or the candidates of
+/// some blocks; or until the query is answered, then returns `end`. A function of its
 /// own that calls nothing, so that the ray stays in registers.
 template <class Goal>
 HWY_NOINLINE WideChild goToObjects(WideQuery& query, Progress& progress) {
@@ -538,7 +544,7 @@ HWY_NOINLINE WideChild goToObjects(WideQuery& query, Progress& progress) {
         continue;
       }
       size = pushNearestLast(node, query.octant, test, stack, size);
-    } else if (child.holdsObjects()) {
+    } else if (child.isObject()) {
       progress.size = size;
       return child;
     } else if constexpr (Goal::kHandsOver) {
@@ -573,8 +579,8 @@ HWY_INLINE bool traverse(WideQuery& query) {
     if (child.isEnd())
       return progress.found;
     const float end = query.hitT;
-    progress.found |= child.holdsObjects() || !Goal::kHandsOver
-                          ? query.testObjects(query, child.leafIndex())
+    progress.found |= child.isObject() || !Goal::kHandsOver
+                          ? query.testObject(query, child.reference())
                           : query.testCandidates(query, progress.candidates);
     if (Goal::kStopsAtAnyHit && progress.found)
       return true;

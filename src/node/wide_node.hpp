@@ -20,7 +20,7 @@ class WideChild {
   static constexpr std::uint32_t kMaxNodeIndex = 0x7FFF'FFFFu;
   static constexpr std::uint32_t kMaxBlockIndex = 0x07FF'FFFFu;
   static constexpr std::uint32_t kMaxBlockCount = 8;
-  static constexpr std::uint32_t kMaxLeafIndex = 0x3FFF'FFFEu;
+  static constexpr std::uint32_t kMaxReference = 0x3FFF'FFFEu;
 
   constexpr WideChild() = default;
 
@@ -32,13 +32,13 @@ class WideChild {
                                                   std::uint32_t count) noexcept {
     return WideChild(kLeafBit | first << 3 | (count - 1));
   }
-  /// A leaf of the binary form, whose objects are tested one by one.
-  [[nodiscard]] static constexpr WideChild objects(std::uint32_t leafIndex) noexcept {
-    return WideChild(kLeafBit | kObjectsBit | leafIndex);
+  /// A single object, by the index of its reference in the binary form.
+  [[nodiscard]] static constexpr WideChild object(std::uint32_t reference) noexcept {
+    return WideChild(kLeafBit | kObjectBit | reference);
   }
 
   /// Nothing: the end of a search.
-  [[nodiscard]] static constexpr WideChild end() noexcept { return objects(kMaxLeafIndex + 1); }
+  [[nodiscard]] static constexpr WideChild end() noexcept { return object(kMaxReference + 1); }
 
   [[nodiscard]] static constexpr WideChild fromWord(std::uint32_t word) noexcept {
     return WideChild(word);
@@ -47,20 +47,20 @@ class WideChild {
   [[nodiscard]] constexpr std::uint32_t word() const noexcept { return word_; }
 
   [[nodiscard]] constexpr bool isNode() const noexcept { return (word_ & kLeafBit) == 0; }
-  [[nodiscard]] constexpr bool holdsObjects() const noexcept { return (word_ & kObjectsBit) != 0; }
+  [[nodiscard]] constexpr bool isObject() const noexcept { return (word_ & kObjectBit) != 0; }
   [[nodiscard]] constexpr bool isEnd() const noexcept { return word_ == end().word_; }
   [[nodiscard]] constexpr std::uint32_t nodeIndex() const noexcept { return word_; }
   [[nodiscard]] constexpr std::uint32_t firstBlock() const noexcept {
-    return (word_ & ~(kLeafBit | kObjectsBit)) >> 3;
+    return (word_ & ~(kLeafBit | kObjectBit)) >> 3;
   }
   [[nodiscard]] constexpr std::uint32_t blockCount() const noexcept { return (word_ & 7u) + 1; }
-  [[nodiscard]] constexpr std::uint32_t leafIndex() const noexcept {
-    return word_ & ~(kLeafBit | kObjectsBit);
+  [[nodiscard]] constexpr std::uint32_t reference() const noexcept {
+    return word_ & ~(kLeafBit | kObjectBit);
   }
 
  private:
   static constexpr std::uint32_t kLeafBit = 0x8000'0000u;
-  static constexpr std::uint32_t kObjectsBit = 0x4000'0000u;
+  static constexpr std::uint32_t kObjectBit = 0x4000'0000u;
 
   explicit constexpr WideChild(std::uint32_t word) noexcept : word_(word) {}
 
@@ -69,7 +69,7 @@ class WideChild {
 static_assert(sizeof(WideChild) == 4);
 static_assert(WideChild::blocks(WideChild::kMaxBlockIndex, 8).firstBlock() ==
               WideChild::kMaxBlockIndex);
-static_assert(!WideChild::blocks(WideChild::kMaxBlockIndex, 8).holdsObjects());
+static_assert(!WideChild::blocks(WideChild::kMaxBlockIndex, 8).isObject());
 
 /// In which order a ray meets the slots of a node: sixteen numbers of four bits, from the farthest
 /// slot to the nearest. Two of them stand side by side in the two halves of the word, so that one

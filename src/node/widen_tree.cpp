@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace planetree::detail {
 namespace {
@@ -29,15 +30,57 @@ struct SlotPlan {
   std::uint8_t leftSlotsOfNode;
 
   static constexpr std::uint8_t kOneSlot = 0xFF;
+  static constexpr std::uint8_t kSlotForEachObject = 0xFE;
 };
 
-/// A part of the binary form inside one wide node: a subtree in a slot, or a split.
+/// A part of the binary form inside one wide node: a subtree in a slot, a leaf whose objects have a
+/// slot each, or a split.
 struct Branch {
   std::size_t binary;           ///< index of the node
-  std::size_t slot = kNoChild;  ///< if it is in a slot
+  std::size_t slot = kNoChild;  ///< the first one, if it is in slots
+  std::size_t objectCount = 0;  ///< of a leaf whose objects have a slot each
   std::size_t left = kNoChild;  ///< index of a branch
   std::size_t right = kNoChild;
 };
+
+/// The order of the slots of a node while it is written: the nearest is added first, and comes to
+/// stand last.
+class NearestFirst {
+ public:
+  void add(std::size_t slot) noexcept {
+    PLANETREE_ASSERT(rest_ > 0);
+    slots_[--rest_] = static_cast<std::uint8_t>(slot);
+  }
+  /// Slots without a child come before all.
+  [[nodiscard]] SlotOrder finish() noexcept {
+    const std::size_t filledCount = kSlotCount - rest_;
+    for (std::size_t i = 0; i < rest_; ++i)
+      slots_[i] = static_cast<std::uint8_t>(filledCount + i);
+    return SlotOrder(slots_);
+  }
+
+ private:
+  std::array<std::uint8_t, kSlotCount> slots_ = {};
+  std::size_t rest_ = kSlotCount;
+};
+
+/// Where a ray of an octant meets a box, to be compared with others; a guess, as boxes may overlap.
+double entryInto(const Box3& box, std::size_t octant) noexcept {
+  double entry = 0.0;
+  for (const Axis axis : kAxes) {
+    const bool comesFromAbove = (octant >> static_cast<std::size_t>(axis) & 1u) != 0;
+    entry += comesFromAbove ? -static_cast<double>(box.upper[axis])
+                            : static_cast<double>(box.lower[axis]);
+  }
+  return entry;
+}
+
+Axis longestAxis(const Box3& box) noexcept {
+  const Vec3f size = box.size();
+  if (size.x >= size.y && size.x >= size.z)
+    return Axis::X;
+  return size.y >= size.z ? Axis::Y : Axis::Z;
+}
 
 /// The same node with the largest boxes in the last slots. Rays that are content with any hit take
 /// the last one first: the larger a box, the likelier it hides what lies behind.
@@ -74,17 +117,22 @@ WideNode sortedByArea(const WideNode& node) {
 
 class Widener {
  public:
-  Widener(std::span<const Node> nodes, std::span<const Box3> leafBounds, const PackLeaf& packLeaf,
-          WideTree& tree)
+  Widener(std::span<const Node> nodes, std::span<const Box3> leafBounds,
+          std::span<const Box3> boxes, WideTree& tree)
       : nodes_(nodes),
         leafBounds_(leafBounds),
-        packLeaf_(packLeaf),
+        boxes_(boxes),
         tree_(tree),
         bounds_(nodes.size()),
+        packed_(nodes.size()),
         plans_(nodes.size()) {}
 
-  void run() {
+  void run(const PackLeaf& packLeaf) {
     boundNodes();
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (nodes_[i].isLeaf() && !isEmpty(i))
+        packed_[i] = pack(i, packLeaf);
+    }
     for (std::size_t i = nodes_.size(); i-- > 0;)
       plan(i);
     if (!bounds_.front().isEmpty())
@@ -118,7 +166,8 @@ class Widener {
     plan.leftSlotsOfNode = 0;
     if (isEmpty(node) || nodes_[node].isLeaf()) {
       plan.area.fill(0.0f);
-      plan.area[0] = isEmpty(node) ? 0.0f : std::numeric_limits<float>::infinity();
+      if (!isEmpty(node))
+        planLeaf(node);
       return;
     }
     const SlotPlan& leftPlan = plans_[left(node)];
@@ -144,10 +193,40 @@ class Widener {
     }
   }
 
+  /// Objects on their own take a slot each, or a node for them; so do blocks if they are many.
+  void planLeaf(std::size_t leaf) {
+    SlotPlan& plan = plans_[leaf];
+    const std::size_t count = nodes_[leaf].leaf().count();
+    const auto area = static_cast<float>(bounds_[leaf].surfaceArea());
+    if (packed_[leaf]) {
+      plan.area.fill(packed_[leaf]->isNode() ? area : 0.0f);
+      plan.area[0] = std::numeric_limits<float>::infinity();
+      return;
+    }
+    plan.area[0] = std::numeric_limits<float>::infinity();
+    for (std::size_t slots = 1; slots <= kSlotCount && count > 1; ++slots) {
+      if (slots < count)
+        plan.area[slots] = area;
+      else
+        plan.leftSlots[slots] = SlotPlan::kSlotForEachObject;
+    }
+  }
+
+  /// Room for one more node, which is still to be written.
+  std::size_t addNode() {
+    const std::size_t index = tree_.nodes.size();
+    if (index > WideChild::kMaxNodeIndex) {
+      throw Error(ErrorCode::CapacityExceeded, "the wide form of the tree has too many nodes",
+                  "Raise leafSize, or divide the scene into several trees.");
+    }
+    tree_.nodes.emplace_back();
+    return index;
+  }
+
   /// Makes what a slot with this subtree leads to.
   WideChild place(std::size_t node) {
     if (nodes_[node].isLeaf())
-      return placeLeaf(node);
+      return packed_[node] ? *packed_[node] : placeObjects(node, referencesOf(node));
     const std::size_t index = addNode();
     std::vector<Branch> branches;
     std::size_t slotCount = 0;
@@ -155,39 +234,35 @@ class Widener {
 
     WideNode wide = emptyNode();
     for (const Branch& branch : branches) {
-      if (branch.slot != kNoChild)
+      if (branch.slot != kNoChild && branch.objectCount == 0)
         setBounds(wide, branch.slot, bounds_[branch.binary]);
+      for (std::size_t i = 0; i < branch.objectCount; ++i)
+        setBounds(wide, branch.slot + i, boxOf(branch.binary, referenceOf(branch.binary, i)));
     }
     for (std::size_t octant = 0; octant < wide.orders.size(); ++octant)
       wide.orders[octant] = orderOf(branches, octant);
     for (const Branch& branch : branches) {
-      if (branch.slot != kNoChild)
+      if (branch.slot != kNoChild && branch.objectCount == 0)
         wide.children[branch.slot] = place(branch.binary);
+      for (std::size_t i = 0; i < branch.objectCount; ++i)
+        wide.children[branch.slot + i] = WideChild::object(referenceOf(branch.binary, i));
     }
     tree_.nodes[index] = sortedByArea(wide);
     return WideChild::node(static_cast<std::uint32_t>(index));
   }
 
-  std::size_t addNode() {
-    if (tree_.nodes.size() > WideChild::kMaxNodeIndex) {
-      throw Error(ErrorCode::CapacityExceeded, "the wide form of the tree has too many nodes",
-                  "Raise leafSize, or divide the scene into several trees.");
-    }
-    tree_.nodes.emplace_back();
-    return tree_.nodes.size() - 1;
-  }
-
-  WideChild placeLeaf(std::size_t node) {
+  /// What leads to the blocks of a leaf, or nothing if its objects do not go into blocks.
+  std::optional<WideChild> pack(std::size_t leaf, const PackLeaf& packLeaf) {
     const std::size_t first = tree_.blocks.size();
     std::vector<Box3> bounds;
-    if (!packLeaf_(static_cast<std::uint32_t>(node), tree_.blocks, bounds))
-      return WideChild::objects(static_cast<std::uint32_t>(node));
+    if (!packLeaf(static_cast<std::uint32_t>(leaf), tree_.blocks, bounds))
+      return std::nullopt;
     if (tree_.blocks.size() > WideChild::kMaxBlockIndex) {
       tree_.blocks.resize(first);
-      return WideChild::objects(static_cast<std::uint32_t>(node));
+      return std::nullopt;
     }
     for (Box3& box : bounds)
-      box = intersection(box, bounds_[node]);
+      box = intersection(box, bounds_[leaf]);
     return placeBlocks(first, bounds);
   }
 
@@ -220,6 +295,56 @@ class Widener {
     return WideChild::node(static_cast<std::uint32_t>(index));
   }
 
+  [[nodiscard]] std::uint32_t referenceOf(std::size_t leaf, std::size_t object) const noexcept {
+    return nodes_[leaf].leaf().firstReference() + static_cast<std::uint32_t>(object);
+  }
+  [[nodiscard]] std::vector<std::uint32_t> referencesOf(std::size_t leaf) const {
+    std::vector<std::uint32_t> references(nodes_[leaf].leaf().count());
+    std::iota(references.begin(), references.end(), referenceOf(leaf, 0));
+    return references;
+  }
+  [[nodiscard]] const Box3& boxOf(std::size_t leaf, std::uint32_t reference) const noexcept {
+    return boxes_.empty() ? bounds_[leaf] : boxes_[reference];
+  }
+
+  /// Makes what leads to some objects of a leaf: nodes with a slot for each, under nodes that
+  /// divide them into runs along the longest axis, if they are too many for one.
+  WideChild placeObjects(std::size_t leaf, std::vector<std::uint32_t> references) {
+    if (references.size() == 1)
+      return WideChild::object(references.front());
+    const std::size_t runLength = (references.size() + kSlotCount - 1) / kSlotCount;
+    if (runLength > 1)
+      sortAlongLongestAxis(leaf, references);
+    const std::size_t index = addNode();
+    WideNode wide = emptyNode();
+    std::vector<Box3> boxes;
+    for (std::size_t first = 0; first < references.size(); first += runLength) {
+      const std::size_t count = std::min(runLength, references.size() - first);
+      const auto begin = references.begin() + static_cast<std::ptrdiff_t>(first);
+      const std::vector<std::uint32_t> run(begin, begin + static_cast<std::ptrdiff_t>(count));
+      Box3 box;
+      for (const std::uint32_t reference : run)
+        box.extend(boxOf(leaf, reference));
+      setBounds(wide, boxes.size(), box);
+      wide.children[boxes.size()] = placeObjects(leaf, run);
+      boxes.push_back(box);
+    }
+    for (std::size_t octant = 0; octant < wide.orders.size(); ++octant)
+      wide.orders[octant] = orderOf(boxes, octant);
+    tree_.nodes[index] = sortedByArea(wide);
+    return WideChild::node(static_cast<std::uint32_t>(index));
+  }
+
+  void sortAlongLongestAxis(std::size_t leaf, std::vector<std::uint32_t>& references) const {
+    const Axis axis = longestAxis(bounds_[leaf]);
+    const auto middle = [&](std::uint32_t reference) {
+      const Box3& box = boxOf(leaf, reference);
+      return box.lower[axis] + box.upper[axis];
+    };
+    std::stable_sort(references.begin(), references.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return middle(a) < middle(b); });
+  }
+
   /// Divides the slots among the children of a split that becomes a part of a wide node.
   std::size_t branchOut(std::size_t node, std::size_t slots, std::size_t leftSlots,
                         std::vector<Branch>& branches, std::size_t& slotCount) {
@@ -229,6 +354,12 @@ class Widener {
       if (isEmpty(binary))
         return kNoChild;
       const std::uint8_t next = plans_[binary].leftSlots[childSlots];
+      if (next == SlotPlan::kSlotForEachObject) {
+        const std::size_t count = nodes_[binary].leaf().count();
+        branches.push_back({.binary = binary, .slot = slotCount, .objectCount = count});
+        slotCount += count;
+        return branches.size() - 1;
+      }
       if (!nodes_[binary].isLeaf() && next != SlotPlan::kOneSlot)
         return branchOut(binary, childSlots, next, branches, slotCount);
       branches.push_back({.binary = binary, .slot = slotCount++});
@@ -263,37 +394,56 @@ class Widener {
 
   /// The slots as a ray meets them, farthest first; those without a child come before all.
   [[nodiscard]] SlotOrder orderOf(const std::vector<Branch>& branches, std::size_t octant) const {
-    // Written from the end: the nearest is the last.
-    std::array<std::uint8_t, kSlotCount> slots = {};
-    std::size_t rest = kSlotCount;
-    addNearestFirst(branches, 0, octant, slots, rest);
-    const std::size_t filledCount = kSlotCount - rest;
-    for (std::size_t i = 0; i < rest; ++i)
-      slots[i] = static_cast<std::uint8_t>(filledCount + i);
-    return SlotOrder(slots);
+    NearestFirst order;
+    addNearestFirst(branches, 0, octant, order);
+    return order.finish();
+  }
+
+  /// The same for slots of these boxes, from the first one on.
+  [[nodiscard]] static SlotOrder orderOf(std::span<const Box3> boxes, std::size_t octant) {
+    NearestFirst order;
+    addNearestFirst(boxes, 0, octant, order);
+    return order.finish();
   }
 
   void addNearestFirst(const std::vector<Branch>& branches, std::size_t index, std::size_t octant,
-                       std::array<std::uint8_t, kSlotCount>& slots, std::size_t& rest) const {
+                       NearestFirst& order) const {
     if (index == kNoChild)
       return;
     const Branch& branch = branches[index];
+    if (branch.objectCount > 0) {
+      std::vector<Box3> boxes;
+      for (std::size_t i = 0; i < branch.objectCount; ++i)
+        boxes.push_back(boxOf(branch.binary, referenceOf(branch.binary, i)));
+      addNearestFirst(boxes, branch.slot, octant, order);
+      return;
+    }
     if (branch.slot != kNoChild) {
-      PLANETREE_ASSERT(rest > 0);
-      slots[--rest] = static_cast<std::uint8_t>(branch.slot);
+      order.add(branch.slot);
       return;
     }
     const auto axis = static_cast<std::size_t>(nodes_[branch.binary].split().axis());
     const bool comesFromAbove = (octant >> axis & 1u) != 0;
-    addNearestFirst(branches, comesFromAbove ? branch.right : branch.left, octant, slots, rest);
-    addNearestFirst(branches, comesFromAbove ? branch.left : branch.right, octant, slots, rest);
+    addNearestFirst(branches, comesFromAbove ? branch.right : branch.left, octant, order);
+    addNearestFirst(branches, comesFromAbove ? branch.left : branch.right, octant, order);
+  }
+  static void addNearestFirst(std::span<const Box3> boxes, std::size_t firstSlot,
+                              std::size_t octant, NearestFirst& order) {
+    std::vector<std::size_t> places(boxes.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+      return entryInto(boxes[a], octant) < entryInto(boxes[b], octant);
+    });
+    for (const std::size_t place : places)
+      order.add(firstSlot + place);
   }
 
   std::span<const Node> nodes_;
   std::span<const Box3> leafBounds_;
-  const PackLeaf& packLeaf_;
+  std::span<const Box3> boxes_;
   WideTree& tree_;
   std::vector<Box3> bounds_;
+  std::vector<std::optional<WideChild>> packed_;  ///< of leaves whose objects are in blocks
   std::vector<SlotPlan> plans_;
 };
 
@@ -309,12 +459,12 @@ Vec3f centerOfWideTree(const Box3& bounds) noexcept {
 }
 
 WideTree widenTree(std::span<const Node> nodes, std::span<const Box3> leafBounds,
-                   const Box3& bounds, const PackLeaf& packLeaf) {
+                   std::span<const Box3> boxes, const Box3& bounds, const PackLeaf& packLeaf) {
   WideTree tree;
   if (bounds.isEmpty())
     return tree;
   tree.center = centerOfWideTree(bounds);
-  Widener(nodes, leafBounds, packLeaf, tree).run();
+  Widener(nodes, leafBounds, boxes, tree).run(packLeaf);
   settle(tree.nodes);
   settle(tree.blocks);
   return tree;

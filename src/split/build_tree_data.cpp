@@ -89,13 +89,16 @@ BuildOptions optionsFor(const TreeData<T>& tree) {
   return options;
 }
 
+template <class T>
+bool holdsOnlyFaces(const TreeData<T>& tree) noexcept {
+  return std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh<T>);
+}
+
 }  // namespace
 
 template <class T>
 double intersectionCostOf(const TreeData<T>& tree) noexcept {
-  const bool holdsOnlyFaces =
-      std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh<T>);
-  return holdsOnlyFaces ? tree.options.cost.faceCost : tree.options.cost.intersectionCost;
+  return holdsOnlyFaces(tree) ? tree.options.cost.faceCost : tree.options.cost.intersectionCost;
 }
 
 template <class T>
@@ -114,7 +117,8 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     const ClipReferences clip = clipperFor(tree.geometries);
     const BuildOptions effective = optionsFor(tree);
     const TreeBuilder builder(effective, depthLimitFor(options, objects.references.size()), clip);
-    NodeArray array;
+    // Where each object is on its own.
+    NodeArray array(!holdsOnlyFaces(tree));
     const double budget = referenceBudget(options, objects.references.size());
     builder.buildTree(std::move(objects.references), tree.bounds, 1, budget, array);
     clock.end("split");
@@ -125,8 +129,8 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     tree.references.shrink_to_fit();
     clock.end("assemble");
 
-    tree.wide = std::make_shared<const WideTree>(
-        widenTree(tree.nodes, array.takeLeafBounds(), tree.bounds, packTrianglesOf(tree)));
+    tree.wide = std::make_shared<const WideTree>(widenTree(
+        tree.nodes, array.takeLeafBounds(), array.takeBoxes(), tree.bounds, packTrianglesOf(tree)));
     clock.end("widen");
   };
   // An arena of its own keeps the caller's tasks out of the build, and the build out of them.

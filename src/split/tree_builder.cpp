@@ -22,6 +22,10 @@ void addLeaf(const std::vector<Reference>& references, const Box3& cell, NodeArr
       tree.addLeaf(references.size(), intersection(contents, cell));
   std::transform(references.begin(), references.end(), objects.begin(),
                  [](const Reference& reference) { return reference.object; });
+  if (tree.keepsBoxes()) {
+    std::transform(references.begin(), references.end(), tree.boxesOfLastLeaf().begin(),
+                   [&](const Reference& r) { return intersection(r.bounds, cell); });
+  }
 }
 
 }  // namespace
@@ -53,7 +57,7 @@ void TreeBuilder::buildTree(std::vector<Reference> references, const Box3& cell,
               right);
   };
   if (isLarge) {
-    NodeArray right;
+    NodeArray right(tree.keepsBoxes());
     tbb::parallel_invoke(buildLeft, [&] { buildRight(right); });
     tree.beginRightChild(split);
     tree.append(right);

@@ -33,8 +33,8 @@ class WideSearch : public WideQuery {
     root = tree_.wide->root;
     tMin = roundDown(request.interval.tMin);
     hitT = roundUp(request.interval.tMax);
-    testObjects = [](WideQuery& wide, std::uint32_t leafIndex) noexcept {
-      return static_cast<WideSearch&>(wide).testLeaf(leafIndex);
+    testObject = [](WideQuery& wide, std::uint32_t reference) noexcept {
+      return static_cast<WideSearch&>(wide).testReference(reference);
     };
     testCandidates = [](WideQuery& wide, Candidates& candidates) noexcept {
       return static_cast<WideSearch&>(wide).testFaces(candidates);
@@ -67,13 +67,12 @@ class WideSearch : public WideQuery {
     return *query_;
   }
 
-  [[nodiscard]] bool testLeaf(std::uint32_t leafIndex) noexcept {
+  [[nodiscard]] bool testReference(std::uint32_t reference) noexcept {
     // Objects of other kinds must know what they compete with.
     if (hitBlock != nullptr)
       hit_ = hitInBlock();
     Unobserved unobserved;
-    const LeafNode& leaf = tree_.nodes[leafIndex].leaf();
-    const bool found = visitLeaf<Goal>(leaf, query(), hit_, unobserved);
+    const bool found = visitLeaf<Goal>(LeafNode(reference, 1), query(), hit_, unobserved);
     if (found)
       normalIsMissing_ = false;
     return takeOver(found);

@@ -59,9 +59,8 @@ struct WideQuery {
   float reach = 0.0f;  ///< the largest distance, along an axis, from the origin to a corner
 
   // --- objects that are not in blocks ---
-  /// Tests the objects of a leaf of the binary form; true if that answers the query or lowers
-  /// `hitT`.
-  bool (*testObjects)(WideQuery& query, std::uint32_t leafIndex) noexcept = nullptr;
+  /// Tests the object of a reference; true if that answers the query or lowers `hitT`.
+  bool (*testObject)(WideQuery& query, std::uint32_t reference) noexcept = nullptr;
 
   // --- triangles that are handed over ---
   /// An edge function of rounded corners that is no larger than this times their largest sheared

@@ -37,10 +37,10 @@ class BrokenEngine final : public bench::Engine {
   [[nodiscard]] std::string mode() const override { return "liar"; }
   [[nodiscard]] bool isDefault() const override { return false; }
   [[nodiscard]] bool isExact() const override { return isExact_; }
-  [[nodiscard]] std::unique_ptr<bench::Structure> build(const TriangleMesh<float>& mesh,
+  [[nodiscard]] std::unique_ptr<bench::Structure> build(const bench::SceneObjects& objects,
                                                         unsigned threadCount) const override {
     ++counts_.builds;
-    return std::make_unique<BrokenStructure>(honest_->build(mesh, threadCount), lie_, counts_);
+    return std::make_unique<BrokenStructure>(honest_->build(objects, threadCount), lie_, counts_);
   }
 
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }

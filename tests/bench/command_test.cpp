@@ -85,6 +85,7 @@ TEST_F(BenchCommand, WrongUsageEndsWithTwoAndAdvice) {
       {"rivals", "--engines", "planetree:nothing", "waves.ply"},
       {"rivals", "--repetitions", "0", "waves.ply"},
       {"rivals", "waves.ply", "waves.ply"},
+      {"rivals", "shapes", "shapes"},
       {"scene", "moon", "-o", "moon.ply"},
       {"scene", "terrain"},
       {"nonsense"}};
@@ -117,6 +118,37 @@ TEST_F(BenchCommand, RivalsMeasuresAFlatSceneWithAllEngines) {
   writeFile("flat.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
   const auto result = run({"rivals", "--quick", "--repetitions", "1", "flat.obj"});
   EXPECT_EQ(result.status, 0) << result.err;
+}
+
+TEST_F(BenchCommand, RivalsMeasuresShapesBesideMeshes) {
+  const auto result = rivals({"--kinds", "random", "--json", "b.json", "waves.ply", "shapes"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.err, "shapes: 250000 shapes, measuring rays on 1 thread"));
+  const auto results = resultsFromJson(readFile("b.json"), "b.json");
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[1].scene, "shapes");
+  EXPECT_EQ(results[1].engine, "planetree");
+}
+
+TEST_F(BenchCommand, AFileMayHaveTheNameOfASceneOfShapes) {
+  writeFile("spheres.ply", plyBytes(test::waves()));
+  const auto result = rivals({"--kinds", "random", "spheres.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.err, "spheres: 3200 triangles"));
+}
+
+TEST_F(BenchCommand, ShapesWantAnEngineThatTakesThem) {
+  const auto result = run({"rivals", "--engines", "cgal", "shapes"});
+  // Without CGAL in this build it fails for that.
+  EXPECT_TRUE(result.status == 2 || result.status == 1) << result.err;
+  EXPECT_TRUE(contains(result.err, "cgal") || contains(result.err, "takes shapes")) << result.err;
+}
+
+TEST_F(BenchCommand, RefusesAnInstructionSetThatTheMachineHasNot) {
+  const auto result = run(test::ToolStart{.arguments = {"rivals", "--quick", "waves.ply"},
+                                          .environment = {"PLANETREE_ISA=mmx"}});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(contains(result.err, "PLANETREE_ISA=mmx")) << result.err;
 }
 
 TEST_F(BenchCommand, RivalsMeasuresNothingIfASceneIsMissing) {

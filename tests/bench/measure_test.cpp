@@ -86,7 +86,7 @@ TEST(Measure, TellsDisagreementsThatItAccepts) {
                          .aboutOcclusion = [](std::size_t, std::uint8_t&) {}};
   run.settings.kinds = {RayKind::Primary};
   EXPECT_EQ(measureRays(test::ballScene(), test::besideBroken(lie), run.settings).size(), 2u);
-  EXPECT_TRUE(run.hasSaid("1 of another face at the same distance"));
+  EXPECT_TRUE(run.hasSaid("1 of another object at the same distance"));
 }
 
 TEST(Measure, AnEngineThatClaimsToBeExactMustHaveEveryBit) {

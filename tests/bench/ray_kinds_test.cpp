@@ -166,7 +166,7 @@ TEST(RayKinds, RandomRaysFillTheEnlargedBounds) {
 }
 
 TEST(RayKinds, AMeshWithoutFacesHasPrimaryRaysOnly) {
-  for (const RaySet& set : makeRaySets({}, {}, kAllKinds, kFew))
+  for (const RaySet& set : makeRaySets(TriangleMesh<float>(), {}, kAllKinds, kFew))
     EXPECT_EQ(set.rays.empty(), set.kind != RayKind::Primary) << rayKindName(set.kind);
 }
 

@@ -33,7 +33,8 @@ void redirect(int stream, const std::string& path, int flags) {
 
 /// In the new process, where only calls that are safe after fork may be made.
 [[noreturn]] void becomeTool(const fs::path& folder, const ToolStart& start, const std::string& out,
-                             const std::string& err, std::vector<char*>& arguments) {
+                             const std::string& err, std::vector<char*>& arguments,
+                             std::vector<char*>& environment) {
   constexpr int kWriting = O_WRONLY | O_CREAT;
   redirect(STDOUT_FILENO, out, kWriting | (start.appendsOutput ? O_APPEND : O_TRUNC));
   redirect(STDERR_FILENO, err, kWriting | O_TRUNC);
@@ -46,7 +47,7 @@ void redirect(int stream, const std::string& path, int flags) {
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0)
       ::_exit(126);
   }
-  ::execv(PLANETREE_TOOL, arguments.data());
+  ::execve(PLANETREE_TOOL, arguments.data(), environment.data());
   ::_exit(127);
 }
 
@@ -69,11 +70,18 @@ ToolProcess::ToolProcess(const fs::path& folder, const ToolStart& start)
   for (std::string& word : words)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  std::vector<std::string> variables = start.environment;
+  std::vector<char*> environment;
+  for (std::string& variable : variables)
+    environment.push_back(variable.data());
+  for (char** variable = ::environ; *variable != nullptr; ++variable)
+    environment.push_back(*variable);
+  environment.push_back(nullptr);
   const std::string out = start.standardOutput.empty() ? out_.string() : start.standardOutput;
   const std::string err = start.standardError.empty() ? err_.string() : start.standardError;
   pid_ = ::fork();
   if (pid_ == 0)
-    becomeTool(folder, start, out, err, arguments);
+    becomeTool(folder, start, out, err, arguments, environment);
   if (pid_ < 0)
     throw std::system_error(errno, std::generic_category(), "fork");
 }

@@ -28,6 +28,7 @@ struct ToolStart {
   std::string standardOutput = {};                ///< a file to use in place of the captured one
   std::string standardError = {};                 ///< likewise
   std::string standardInput = {};                 ///< a file to read in place of the test's own
+  std::vector<std::string> environment = {};      ///< "NAME=value", before that of the test
   bool appendsOutput = false;  ///< standard output is opened as by the shell's >>
 };
 

@@ -51,7 +51,7 @@ check_packages() {
       grep -qF "\`$package\`" docs/dependencies.md ||
         fail "docs/dependencies.md does not say what $package is for"
     done
-  done < <(sed -nE 's/^ +([a-z]+)\) echo .*/\1/p' scripts/packages.sh)
+  done < <(sed -nE 's/^ +([a-z0-9]+)\) echo .*/\1/p' scripts/packages.sh)
 }
 
 check_links

@@ -4,6 +4,7 @@
 #include "explain_command.hpp"
 #include "help_formatter.hpp"
 #include "info_command.hpp"
+#include "instruction_set_check.hpp"
 #include "output_file.hpp"
 #include "parse_fault.hpp"
 #include "reference_commands.hpp"
@@ -77,6 +78,7 @@ int CommandLine::run(int argc, const char* const* argv) {
     }
     throw usageErrorOf(app_, error);
   }
+  checkRequestedInstructionSet();
   for (const Subcommand& subcommand : subcommands_) {
     if (subcommand.app->parsed())
       return subcommand.run();

@@ -13,6 +13,8 @@
 #include "talk.hpp"
 #include "usage_error.hpp"
 
+#include <planetree/traversal/instruction_set.hpp>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -111,7 +113,9 @@ Accounts takeStock(const InfoCommand& command, const BuildOptions& options) {
                    .readSeconds = readSeconds,
                    .bounds = tree.bounds(),
                    .build = tree.report(),
-                   .tree = tree.statistics()},
+                   .tree = tree.statistics(),
+                   .instructionSet = activeInstructionSet(),
+                   .supportedInstructionSets = supportedInstructionSets()},
           .mesh = std::move(mesh)};
 }
 
@@ -154,6 +158,8 @@ Json infoJson(const Accounts& accounts, const BuildOptions& options) {
       {"read_seconds", account.readSeconds},
       {"build", buildJson(options, account.build)},
       {"tree", std::move(tree)},
+      {"instruction_set", account.instructionSet},
+      {"supported_instruction_sets", account.supportedInstructionSets},
   };
 }
 

@@ -26,6 +26,12 @@ Wrong usage: the command line asks for something that cannot be.
 .PP
 A signal ends the tool at once, as shells show it with 128 added: 130 after
 Ctrl\-C, 143 after SIGTERM.
+.SH ENVIRONMENT
+.TP
+.B PLANETREE_ISA
+The instruction set to use in place of the best one that the machine has, which
+.B planetree info
+names. It changes no answer, only how long it takes.
 .SH FILES
 Results are written under a temporary name,
 .IR .planetree\-PROCESS\-N.tmp ,

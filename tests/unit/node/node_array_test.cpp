@@ -143,5 +143,24 @@ TEST(NodeArray, LeavesAnAppendedPartAsItWas) {
   expectLeaf(nodes[2], 1, 1);
 }
 
+TEST(NodeArray, KeepsTheBoxOfEachReferenceIfAsked) {
+  const auto boxAt = [](float x) { return Box3{{x, 0, 0}, {x + 1, 1, 1}}; };
+  NodeArray outer(true);
+  addLeaf(outer, {9});
+  outer.boxesOfLastLeaf()[0] = boxAt(9);
+  NodeArray part(outer.keepsBoxes());
+  addLeaf(part, {4, 7});
+  ASSERT_EQ(part.boxesOfLastLeaf().size(), 2u);
+  part.boxesOfLastLeaf()[0] = boxAt(4);
+  part.boxesOfLastLeaf()[1] = boxAt(7);
+  outer.append(part);
+  EXPECT_EQ(outer.takeBoxes(), (std::vector<Box3>{boxAt(9), boxAt(4), boxAt(7)}));
+
+  NodeArray without;
+  addLeaf(without, {1, 2});
+  EXPECT_TRUE(without.boxesOfLastLeaf().empty());
+  EXPECT_TRUE(without.takeBoxes().empty());
+}
+
 }  // namespace
 }  // namespace planetree::detail

@@ -31,10 +31,8 @@ class WideWalk {
   void visit(WideChild child, const Box3& outer) {
     if (child.isNode()) {
       visitNode(wide_.nodes.at(child.nodeIndex()), outer);
-    } else if (child.holdsObjects()) {
-      const LeafNode& leaf = tree_.nodes[child.leafIndex()].leaf();
-      const auto references = tree_.references.subspan(leaf.firstReference(), leaf.count());
-      objects.insert(references.begin(), references.end());
+    } else if (child.isObject()) {
+      objects.insert(tree_.references[child.reference()]);
     } else {
       for (std::uint32_t i = 0; i < child.blockCount(); ++i) {
         const TriangleBlock& block = wide_.blocks.at(child.firstBlock() + i);
@@ -90,6 +88,16 @@ class WideWalk {
   const WideTree& wide_;
 };
 
+std::vector<Sphere<float>> makeSpheres(int count) {
+  test::Random random(23);
+  std::vector<Sphere<float>> spheres;
+  for (int i = 0; i < count; ++i) {
+    spheres.push_back({random.pointIn<float>({-1, -1, -1}, {1, 1, 1}),
+                       static_cast<float>(random.between(0.01, 0.1))});
+  }
+  return spheres;
+}
+
 TEST(WidenTree, HoldsEveryReferenceOfTheBinaryFormOnce) {
   for (const test::HardMesh<float>& hard : test::hardMeshes<float>()) {
     for (const std::uint32_t leafSize : {0u, 4u, 40u, 1000u}) {
@@ -102,6 +110,44 @@ TEST(WidenTree, HoldsEveryReferenceOfTheBinaryFormOnce) {
       EXPECT_EQ(walk.nodeCount, view.wide->nodes.size());
     }
   }
+}
+
+/// Spheres and a mesh in one tree, as leaves of every size.
+TEST(WidenTree, HoldsEveryReferenceOnceBesideShapes) {
+  for (const std::uint32_t leafSize : {0u, 1u, 4u, 15u, 16u, 17u, 40u, 300u, 1000u}) {
+    SCOPED_TRACE(leafSize);
+    Scene<float> scene;
+    scene.add(test::detail::soup<float>(22, 300, 0.1));
+    scene.add(makeSpheres(400));
+    const auto tree = buildTree(scene, {.leafSize = leafSize});
+    const TreeView<float> view = tree.view();
+    const WideWalk walk(view);
+    EXPECT_EQ(walk.objects,
+              std::multiset<std::uint32_t>(view.references.begin(), view.references.end()));
+    EXPECT_EQ(walk.nodeCount, view.wide->nodes.size());
+  }
+}
+
+TEST(WidenTree, GivesEachShapeTheBoxOfItsOwn) {
+  const auto tree = buildTree(makeSpheres(500), {.leafSize = 30, .depthLimit = 4});
+  const TreeView<float> view = tree.view();
+  std::size_t seenCount = 0;
+  for (const WideNode& node : view.wide->nodes) {
+    for (std::size_t slot = 0; slot < WideNode::kSlotCount; ++slot) {
+      const bool isFilled = node.planes[0][slot] <= node.planes[1][slot];
+      if (!isFilled || !node.children[slot].isObject())
+        continue;
+      ++seenCount;
+      const Box3 bounds = tree.object(view.references[node.children[slot].reference()]).bounds();
+      for (const Axis axis : kAxes) {
+        const auto i = 2 * static_cast<std::size_t>(axis);
+        const float center = view.wide->center[axis];
+        EXPECT_GE(node.planes[i][slot] + center, bounds.lower[axis] - 1e-6f);
+        EXPECT_LE(node.planes[i + 1][slot] + center, bounds.upper[axis] + 1e-6f);
+      }
+    }
+  }
+  EXPECT_EQ(seenCount, view.references.size());
 }
 
 TEST(WidenTree, FillsItsSlots) {

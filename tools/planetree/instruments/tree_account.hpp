@@ -5,7 +5,9 @@
 #include <planetree/split/build_report.hpp>
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace planetree::tool {
@@ -27,6 +29,8 @@ struct TreeAccount {
   Box3 bounds = {};
   BuildReport build = {};
   TreeStatistics tree = {};
+  std::string_view instructionSet = {};  ///< that queries use, out of those below
+  std::span<const std::string_view> supportedInstructionSets = {};
 
   [[nodiscard]] std::uint64_t objectCount() const noexcept {
     return build.objectCount - build.skippedCount;

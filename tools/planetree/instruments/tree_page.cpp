@@ -104,6 +104,13 @@ void addTree(Page& page, const TreeAccount& account) {
                        account.perObject(tree.bytes)));
 }
 
+void addQueries(Page& page, const TreeAccount& account) {
+  page.heading("Queries");
+  page.row("instruction set", account.instructionSet,
+           fmt::format("the best one first, the machine has {}",
+                       fmt::join(account.supportedInstructionSets, ", ")));
+}
+
 void addTimes(Page& page, const TreeAccount& account) {
   const auto seconds = [](double time) { return fmt::format("{:.4f} s", time); };
   page.heading("Time");
@@ -160,6 +167,7 @@ std::string treePage(const TreeAccount& account) {
   page.title(fmt::format("{} ({})", account.model, account.format));
   addModel(page, account);
   addTree(page, account);
+  addQueries(page, account);
   addTimes(page, account);
   addLevels(page, account.tree);
   addLeafSizes(page, account.tree);
