@@ -69,9 +69,10 @@ TYPED_TEST(WideForm, HoldsShapesBesideBlocksOfTriangles) {
 TYPED_TEST(WideForm, LeavesRaysBeyondItsRangeToTheBinaryForm) {
   using T = TypeParam;
   const auto tree = buildTree(test::detail::soup<T>(15, 100, 0.3));
+  const TreeView<T> view = tree.view();  // to outlive the query
   for (const T scale : {T(0x1p-60), T(0x1p+60)}) {
     const Ray<T> ray{.origin = {0, 0, 3}, .direction = {0, 0, -scale}};
-    const Query<T> query(tree.view(), ray, ray.tMin, ray.tMax);
+    const Query<T> query(view, ray, ray.tMin, ray.tMax);
     Hit<T> hit;
     EXPECT_EQ(searchWide<NearestHit>(query, hit), std::nullopt);
     EXPECT_EQ(tree.findIntersection(ray), askBinaryForm(tree.view(), ray));
