@@ -151,7 +151,7 @@ TEST(WidenTree, GivesEachShapeTheBoxOfItsOwn) {
 }
 
 TEST(WidenTree, FillsItsSlots) {
-  const auto tree = buildTree(test::detail::soup<float>(21, 5000, 0.02));
+  const auto tree = buildTree(test::detail::grid<float>(50, {0, 0, 0}, {1, 0, 0.1f}, {0.2f, 1, 0}));
   const WideTree& wide = *tree.view().wide;
   std::size_t filledCount = 0;
   for (const WideNode& node : wide.nodes) {
@@ -159,6 +159,43 @@ TEST(WidenTree, FillsItsSlots) {
       filledCount += node.planes[0][slot] <= node.planes[1][slot] ? 1 : 0;
   }
   EXPECT_GT(filledCount, wide.nodes.size() * WideNode::kSlotCount / 2);
+}
+
+TEST(WidenTree, GivesManyBlocksOfALeafBoxesOfTheirOwn) {
+  BuildOptions oneLeaf;
+  oneLeaf.depthLimit = 1;
+  const auto tree = buildTree(test::detail::soup<float>(22, 400, 0.02), oneLeaf);
+  ASSERT_TRUE(tree.root().isLeaf());
+  const WideTree& wide = *tree.view().wide;
+  ASSERT_TRUE(wide.root.isNode());
+  const WideNode& node = wide.nodes[wide.root.nodeIndex()];
+  // Divided along the axis on which they are spread the most, they overlap little.
+  double thickness = 0.0;
+  for (std::size_t slot = 0; slot < WideNode::kSlotCount; ++slot) {
+    const double x = static_cast<double>(node.planes[1][slot] - node.planes[0][slot]);
+    const double y = static_cast<double>(node.planes[3][slot] - node.planes[2][slot]);
+    const double z = static_cast<double>(node.planes[5][slot] - node.planes[4][slot]);
+    thickness += std::min({x, y, z});
+  }
+  const Vec3f size = tree.bounds().size();
+  EXPECT_LT(thickness, 2.0 * static_cast<double>(std::max({size.x, size.y, size.z})));
+}
+
+TEST(WidenTree, PutsTheLargestBoxesLast) {
+  const auto tree = buildTree(test::detail::soup<float>(23, 3000, 0.1));
+  for (const WideNode& node : tree.view().wide->nodes) {
+    float before = 0.0f;
+    for (std::size_t slot = 0; slot < WideNode::kSlotCount; ++slot) {
+      const float x = node.planes[1][slot] - node.planes[0][slot];
+      if (!(x >= 0.0f))
+        continue;
+      const float y = node.planes[3][slot] - node.planes[2][slot];
+      const float z = node.planes[5][slot] - node.planes[4][slot];
+      const float area = x * y + y * z + z * x;
+      EXPECT_GE(area, before);
+      before = area;
+    }
+  }
 }
 
 TEST(SlotOrder, GivesBackWhatItWasMadeFrom) {

@@ -25,7 +25,7 @@ namespace planetree::detail {
 namespace {
 
 constexpr std::uint64_t kGoldenFloat = 0xB9240F1E15552C8B;
-constexpr std::uint64_t kGoldenDouble = 0x1170159CF23BA93A;
+constexpr std::uint64_t kGoldenDouble = 0x69DD3C127820A38E;
 
 constexpr std::size_t kRayCount = 1500;
 
