@@ -15,6 +15,7 @@
 #include "isa/wide_kernels.hpp"
 #include "traversal/wide_query.hpp"
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 #include <cmath>
 #include <cstddef>
@@ -523,6 +524,19 @@ struct Progress {
   }
 };
 
+/// Fetches the node on top of the stack, which comes next if nothing is found before: the cells of
+/// a ray follow each other, so that it is likely to be wanted, and far away in a large tree.
+HWY_INLINE void prefetchNext(const WideQuery& query, const Stack& stack, std::size_t size) {
+  const WideChild next = WideChild::fromWord(stack.children[size - 1]);
+  if (!next.isNode())
+    return;
+  const WideNode& node = query.nodes[next.nodeIndex()];
+  for (const auto& planes : node.planes)
+    hwy::Prefetch(planes);
+  hwy::Prefetch(node.children.data());
+  hwy::Prefetch(&node.orders[query.octant]);
+}
+
 /// Goes on until the next thing to do is to test an object, which is returned, or the candidates of
 /// some blocks; or until the query is answered, then returns `end`. A function of its
 /// own that calls nothing, so that the ray stays in registers.
@@ -535,6 +549,8 @@ HWY_NOINLINE WideChild goToObjects(WideQuery& query, Progress& progress) {
   std::size_t size = progress.size;
   WideChild child = WideChild::fromWord(stack.children[--size]);
   while (true) {
+    if (query.isLargeTree && !child.isEnd())
+      prefetchNext(query, stack, size);
     if (child.isNode()) {
       const WideNode& node = query.nodes[child.nodeIndex()];
       BoxTest test;

@@ -16,6 +16,10 @@
 namespace planetree::detail {
 namespace {
 
+/// Sixteen megabytes of nodes, about what a thread has of a large cache. In smaller trees fetching
+/// ahead costs as much as it saves.
+constexpr std::size_t kLargeNodeCount = 32'768;
+
 template <class T>
 bool seesAll(const Request<T>& request) noexcept {
   return std::all_of(request.tree.geometries.begin(), request.tree.geometries.end(),
@@ -31,6 +35,7 @@ class WideSearch : public WideQuery {
     nodes = tree_.wide->nodes.data();
     blocks = tree_.wide->blocks.data();
     root = tree_.wide->root;
+    isLargeTree = tree_.wide->nodes.size() > kLargeNodeCount;
     tMin = roundDown(request.interval.tMin);
     hitT = roundUp(request.interval.tMax);
     testObject = [](WideQuery& wide, std::uint32_t reference) noexcept {

@@ -37,6 +37,8 @@ struct WideQuery {
   const WideNode* nodes = nullptr;
   const TriangleBlock* blocks = nullptr;
   WideChild root = {};
+  /// Whether nodes are so many that they are often far away, and worth fetching ahead.
+  bool isLargeTree = false;
 
   // --- the ray as the triangles see it ---
   std::uint32_t kx = 0;  ///< the axes, permuted as in `ShearedRay`

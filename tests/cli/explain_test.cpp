@@ -154,12 +154,14 @@ TEST_F(Explain, JsonHasEveryStep) {
 
 TEST_F(Explain, StopsAtAnyHitWhenAskedTo) {
   const std::string ray = "-2,0.1,0.05,1,0.02,0.01";
-  const json nearest = json::parse(explain("soup.obj", ray, {"--json"}).out);
-  const json any = json::parse(explain("soup.obj", ray, {"--json", "--any"}).out);
+  // Small leaves, so that something is left to do behind the first hit.
+  const json nearest = json::parse(explain("soup.obj", ray, {"--json", "--face-cost", "1"}).out);
+  const json any =
+      json::parse(explain("soup.obj", ray, {"--json", "--any", "--face-cost", "1"}).out);
   EXPECT_EQ(any["query"], "any");
   EXPECT_FALSE(any["hit"].is_null());
   EXPECT_LE(any["tested_count"], nearest["tested_count"]);
-  const ToolResult page = explain("soup.obj", ray, {"--any"});
+  const ToolResult page = explain("soup.obj", ray, {"--any", "--face-cost", "1"});
   EXPECT_NE(page.out.find("any hit is enough"), std::string::npos) << page.out;
 }
 
