@@ -8,7 +8,8 @@ set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
 set(CMAKE_CXX_FLAGS_INIT -Wno-psabi)
 
 # oneTBB, Highway and GoogleTest for AArch64; the C and C++ libraries come with the compiler.
-get_filename_component(planetree_sysroot ${CMAKE_CURRENT_LIST_DIR}/../build/aarch64-sysroot ABSOLUTE)
+get_filename_component(planetree_sysroot
+                       ${CMAKE_CURRENT_LIST_DIR}/../build/aarch64-sysroot ABSOLUTE)
 set(CMAKE_FIND_ROOT_PATH ${planetree_sysroot})
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)

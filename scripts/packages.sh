@@ -19,7 +19,8 @@ packages_for() {
     # For scripts/test_aarch64.sh: a compiler for AArch64, and what runs its programs.
     aarch64) echo cmake ninja-build g++-aarch64-linux-gnu qemu-user ;;
     # For the same, not installed but unpacked: libraries for AArch64.
-    sysroot) echo libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2 libhwy-dev libhwy1 libgtest-dev ;;
+    sysroot) echo libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2 libhwy-dev libhwy1 \
+                  libgtest-dev ;;
     *) say "no packages are known for '$1'"; return 1 ;;
   esac
 }

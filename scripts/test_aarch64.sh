@@ -12,11 +12,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/packages.sh
 
 sysroot=$PWD/build/aarch64-sysroot
-tests=(unit_geometry unit_hit unit_library unit_mesh unit_node unit_shape unit_split unit_traversal
-       property)
+tests=(unit_geometry unit_hit unit_library unit_mesh unit_node unit_read_mesh unit_shape unit_split
+       unit_traversal property)
 
-# apt as it would be on an AArch64 machine without any package, with lists of its own: nothing has to
-# be told to the machine's dpkg.
+# apt as it would be on an AArch64 machine without any package, with lists of its own: nothing has
+# to be told to the machine's dpkg.
 use_apt_of_aarch64() {
   local state=$1
   mkdir -p "$state/lists/partial" "$state/cache/archives/partial"
