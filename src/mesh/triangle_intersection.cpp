@@ -1,6 +1,7 @@
 #include <planetree/mesh/triangle_intersection.hpp>
 
 #include "mesh/exact_arithmetic.hpp"
+#include "mesh/float_normal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,13 +120,6 @@ std::optional<TriangleIntersection<T>> intersectTriangle(const ShearedRay<T>& ra
 
 namespace {
 
-/// The edges' cross product; the difference of two floats is exact in double, or nearly so, and far
-/// from the ends of its range.
-Vec3d crossOfEdges(const Vec3f& a, const Vec3f& b, const Vec3f& c) noexcept {
-  const auto corner = static_cast<Vec3d>(a);
-  return cross(static_cast<Vec3d>(b) - corner, static_cast<Vec3d>(c) - corner);
-}
-
 /// The vector from one point to another, and what rounding took from it. Lengths from which
 /// products could over- or underflow are scaled by a power of two.
 struct ExpandedEdge {
@@ -152,8 +146,8 @@ struct ExpandedEdge {
   }
 };
 
-/// For doubles in twice the precision: the rounding of a plain product hides which way a narrow
-/// triangle faces. Up to a factor.
+/// The edges' cross product, for doubles in twice the precision: the rounding of a plain product
+/// hides which way a narrow triangle faces. Up to a factor.
 Vec3d crossOfEdges(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
   const ExpandedEdge p(a, b);
   const ExpandedEdge q(a, c);
@@ -173,12 +167,12 @@ Vec3d crossOfEdges(const Vec3d& a, const Vec3d& b, const Vec3d& c) noexcept {
 template <class T>
 Vec3<T> triangleNormal(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c,
                        const Vec3<T>& rayDirection) noexcept {
-  const Vec3d normal = crossOfEdges(a, b, c);
-  if (normal == Vec3d{})
-    return static_cast<Vec3<T>>(normalized(-static_cast<Vec3d>(rayDirection)));
-  if constexpr (std::is_same_v<T, float>)
-    return static_cast<Vec3<T>>(normal * (1.0 / length(normal)));
-  return static_cast<Vec3<T>>(normalized(normal));
+  if constexpr (std::is_same_v<T, float>) {
+    return detail::floatNormal(a, b, c, rayDirection);
+  } else {
+    const Vec3d normal = crossOfEdges(a, b, c);
+    return normalized(normal == Vec3d{} ? -rayDirection : normal);
+  }
 }
 
 template std::optional<TriangleIntersection<float>> intersectTriangle(const ShearedRay<float>&,

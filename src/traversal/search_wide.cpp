@@ -4,6 +4,7 @@
 #include <planetree/mesh/triangle_intersection.hpp>
 #include <planetree/mesh/triangle_mesh.hpp>
 
+#include "mesh/float_normal.hpp"
 #include "node/wide_node.hpp"
 #include "traversal/wide_query.hpp"
 
@@ -156,10 +157,10 @@ class WideSearch : public WideQuery {
       const double sum = hitWeights[0] + hitWeights[1] + hitWeights[2];
       hit_.u = static_cast<T>(hitWeights[1] / sum);
       hit_.v = static_cast<T>(hitWeights[2] / sum);
-      const auto corner = [&](std::size_t i) {
-        return static_cast<Vec3<T>>(hitBlock->corner(hitLane, i));
-      };
-      hit_.normal = triangleNormal(corner(0), corner(1), corner(2), request_.asked.direction);
+      const Vec3f normal =
+          floatNormal(hitBlock->corner(hitLane, 0), hitBlock->corner(hitLane, 1),
+                      hitBlock->corner(hitLane, 2), static_cast<Vec3f>(request_.asked.direction));
+      hit_.normal = static_cast<Vec3<T>>(normal);
     } else if (normalIsMissing_) {
       const auto [a, b, c] = meshOf(tree_.geometries[hit_.geometry]).corners(hit_.primitive);
       hit_.normal = triangleNormal(a, b, c, request_.asked.direction);

@@ -131,8 +131,11 @@ std::vector<std::uint64_t> shapesOf(const BuildOptions& options) {
     shapes.insert(shapes.end(), {tree.splitNodeCount, tree.leafNodeCount, tree.emptyLeafCount,
                                  tree.referenceCount, tree.largestLeaf, tree.depth});
   };
+  // Dearer faces make more splits, in which more can differ.
+  BuildOptions fine = options;
+  fine.cost.faceCost *= 8.0;
   for (const TriangleMesh<float>& mesh : {heap(), walls()})
-    add(buildTree(mesh.view(), options).statistics());
+    add(buildTree(mesh.view(), fine).statistics());
   add(buildTree(balls(), options).statistics());
   return shapes;
 }
