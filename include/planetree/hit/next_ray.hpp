@@ -40,9 +40,10 @@ template <class T>
   constexpr T kRoundingsOfPoint = T(4);
   const Vec3<T> point = ray.at(hit.t);
   const T largest = std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)});
-  const T error = detail::kRoundoff<T> * (kSlackInRoundoffs<T> * (detail::largestDistance(ray.origin, bounds) +
-                                                       detail::largestDistance(point, bounds)) +
-                               kRoundingsOfPoint * largest);
+  const T error =
+      detail::kRoundoff<T> * (kSlackInRoundoffs<T> * (detail::largestDistance(ray.origin, bounds) +
+                                                      detail::largestDistance(point, bounds)) +
+                              kRoundingsOfPoint * largest);
   // Moving by this much along the normal leaves the box of the error behind, whatever its corner.
   const Vec3<T>& n = hit.normal;
   const T height = error * (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z));
