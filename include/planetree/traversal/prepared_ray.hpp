@@ -30,8 +30,7 @@ inline constexpr T kRoundoff = std::numeric_limits<T>::epsilon() / T(2);
 /// A component of a direction that is smaller than this part of the largest one counts as parallel
 /// to the planes across its axis.
 template <class T>
-inline constexpr T kNearParallel = kRoundoff<T> * T(0x1p-16);
-
+inline constexpr T kNearParallel = kRoundoff<T>* T(0x1p-16);
 
 /// Along any axis, how far a corner of the box is from the point.
 template <class T>
@@ -80,7 +79,8 @@ struct PreparedRay {
   std::array<AxisRay<T>, 3> axes;
 
   PreparedRay(const Ray<T>& ray, const Box3& bounds) noexcept : sheared(ray) {
-    distanceSlack = kSlackInRoundoffs<T> * detail::kRoundoff<T> * detail::largestDistance(ray.origin, bounds);
+    distanceSlack =
+        kSlackInRoundoffs<T> * detail::kRoundoff<T> * detail::largestDistance(ray.origin, bounds);
     for (const Axis axis : kAxes) {
       const T inverse = T(1) / awayFromParallel(ray.direction[axis]);
       axes[static_cast<std::size_t>(axis)] = {.origin = ray.origin[axis],
