@@ -459,70 +459,52 @@ HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std
   return true;
 }
 
-/// Tests the triangles of some blocks; returns whether one of them became the best hit.
+/// The lanes with this object: a triangle is often met again in the next cell.
+HWY_INLINE std::uint32_t lanesOf(const TriangleBlock& block, std::uint32_t object) {
+  const WordTag words;
+  Mask isObject[kVectorCount];
+  forEachVector([&](auto i) {
+    const Words objects = hn::Load(words, block.objects.data() + i * kLanesPerVector);
+    isObject[i] = hn::RebindMask(FloatTag(), hn::Eq(objects, hn::Set(words, object)));
+  });
+  return bitsOf(isObject);
+}
+
+/// Tests triangles of a block, those that `lanes` has a bit for; returns whether one of them became
+/// the best hit.
 template <class Goal>
-HWY_INLINE bool testBlocks(WideQuery& query, const BlockRay& ray, WideChild child) {
-  const TriangleBlock* block = query.blocks + child.firstBlock();
+HWY_INLINE bool testCandidates(WideQuery& query, const TriangleBlock& block, std::uint32_t lanes) {
   bool found = false;
-  for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
-    std::uint32_t candidates = ray.findCandidates<Goal>(*block);
-    while (candidates != 0) {
-      const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));
-      candidates &= candidates - 1;
-      // A triangle is often met again in the next cell.
-      if (block->objects[lane] == query.hitObject)
-        continue;
-      if (acceptTriangle(query, *block, lane)) {
-        found = true;
-        if (Goal::kStopsAtAnyHit)
-          return true;
-      }
-    }
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
+    found |= acceptTriangle(query, block, lane);
+    if (Goal::kStopsAtAnyHit && found)
+      return true;
   }
   return found;
 }
 
-/// Takes the triangles of some blocks that are to be tested with the corners of their mesh. The
-/// best hit, met again in the next cell, is none of them.
-template <class Goal>
-HWY_INLINE void collectCandidates(const WideQuery& query, const BlockRay& ray, WideChild child,
-                                  Candidates& candidates) {
-  candidates.count = 0;
-  const TriangleBlock* block = query.blocks + child.firstBlock();
-  for (std::uint32_t rest = child.blockCount(); rest > 0; --rest, ++block) {
-    std::uint32_t lanes = ray.findCandidates<Goal>(*block);
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
-      if (block->objects[lane] == query.hitObject)
-        continue;
-      DistanceBounds bounds = {-std::numeric_limits<float>::infinity(),
-                               std::numeric_limits<float>::infinity()};
-      if (query.cornersAreRounded) {
-        // To look up the corners in the mesh costs more than both bounds.
-        bounds = boundByCorners(query, *block, lane);
-        if (!bounds.areInside(query) && !bounds.areOutside(query))
-          bounds = boundByWeights(query, *block, lane);
-        if (bounds.areOutside(query))
-          continue;
-      }
-      candidates.objects[candidates.count] = block->objects[lane];
-      candidates.earliest[candidates.count++] = bounds.lower;
-    }
-  }
-}
-
-/// How far a query has come.
-struct Progress {
-  Stack stack;
-  std::size_t size = 0;  ///< of the stack
+/// The same where the query decides, with the corners of the mesh.
+HWY_INLINE bool handOverCandidates(WideQuery& query, const TriangleBlock& block,
+                                   std::uint32_t lanes) {
   Candidates candidates;
-  bool found = false;
-
-  HWY_INLINE void push(float tNear, WideChild child) {
-    stack.tNear[size] = tNear;
-    stack.children[size++] = child.word();
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
+    DistanceBounds bounds = {-std::numeric_limits<float>::infinity(),
+                             std::numeric_limits<float>::infinity()};
+    if (query.cornersAreRounded) {
+      // To look up the corners in the mesh costs more than both bounds.
+      bounds = boundByCorners(query, block, lane);
+      if (!bounds.areInside(query) && !bounds.areOutside(query))
+        bounds = boundByWeights(query, block, lane);
+      if (bounds.areOutside(query))
+        continue;
+    }
+    candidates.objects[candidates.count] = block.objects[lane];
+    candidates.earliest[candidates.count++] = bounds.lower;
   }
-};
+  return candidates.count != 0 && query.testCandidates(query, candidates);
+}
 
 /// Fetches the node on top of the stack, which comes next if nothing is found before: the cells of
 /// a ray follow each other, so that it is likely to be wanted, and far away in a large tree.
@@ -537,51 +519,78 @@ HWY_INLINE void prefetchNext(const WideQuery& query, const Stack& stack, std::si
   hwy::Prefetch(&node.orders[query.octant]);
 }
 
-/// Goes on until the next thing to do is to test an object, which is returned, or the candidates of
-/// some blocks; or until the query is answered, then returns `end`. A function of its
-/// own that calls nothing, so that the ray stays in registers.
+/// Why a walk through the tree pauses.
+enum class Pause {
+  Candidates,  ///< there may be hits in a block
+  Object,      ///< an object is to be tested that is in no block
+  End          ///< the query is answered
+};
+
+/// How far a query has come.
+struct Progress {
+  Stack stack;
+  std::size_t size = 0;  ///< of the stack
+  bool found = false;
+
+  const TriangleBlock* block = nullptr;  ///< the one tested last
+  std::uint32_t lanes = 0;               ///< its candidates
+  std::uint32_t restCount = 0;           ///< blocks behind it, still to be tested
+  WideChild object = {};
+
+  HWY_INLINE void push(float tNear, WideChild child) {
+    stack.tNear[size] = tNear;
+    stack.children[size++] = child.word();
+  }
+};
+
+/// Goes on until there is something to do that needs no vectors. A function of its own, which calls
+/// nothing: only then do compilers keep all that it needs of the ray in registers. To fill these
+/// again takes fewer cycles than what is spared in between.
 template <class Goal>
-HWY_NOINLINE WideChild goToObjects(WideQuery& query, Progress& progress) {
+HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
   const WideRay boxRay(query);
   const BlockRay blockRay(query);
-  Floats tMax = hn::Set(FloatTag(), query.hitT);
+  const Floats tMax = hn::Set(FloatTag(), query.hitT);
   Stack& stack = progress.stack;
   std::size_t size = progress.size;
-  WideChild child = WideChild::fromWord(stack.children[--size]);
+  const TriangleBlock* block = progress.block;
+  std::uint32_t restCount = progress.restCount;
   while (true) {
-    if (query.isLargeTree && !child.isEnd())
-      prefetchNext(query, stack, size);
-    if (child.isNode()) {
+    for (; restCount > 0; --restCount) {
+      ++block;
+      std::uint32_t lanes = blockRay.findCandidates<Goal>(*block);
+      if (lanes != 0 && !Goal::kStopsAtAnyHit)
+        lanes &= ~lanesOf(*block, query.hitObject);
+      if (lanes != 0) {
+        progress.size = size;
+        progress.block = block;
+        progress.lanes = lanes;
+        progress.restCount = restCount - 1;
+        return Pause::Candidates;
+      }
+    }
+    WideChild child = WideChild::fromWord(stack.children[--size]);
+    while (child.isNode()) {
+      if (query.isLargeTree)
+        prefetchNext(query, stack, size);
       const WideNode& node = query.nodes[child.nodeIndex()];
       BoxTest test;
       boxRay.test(node, tMax, test);
       if constexpr (Goal::kStopsAtAnyHit) {
         child = pushUnordered(node, test, stack, size);
-        continue;
-      }
-      size = pushNearestLast(node, query.octant, test, stack, size);
-    } else if (child.isObject()) {
-      progress.size = size;
-      return child;
-    } else if constexpr (Goal::kHandsOver) {
-      collectCandidates<Goal>(query, blockRay, child, progress.candidates);
-      if (progress.candidates.count != 0) {
-        progress.size = size;
-        return child;
-      }
-    } else {
-      const float end = query.hitT;
-      if (testBlocks<Goal>(query, blockRay, child)) {
-        progress.found = true;
-        if (Goal::kStopsAtAnyHit)
-          return WideChild::end();
-      }
-      if (query.hitT < end) {
-        tMax = hn::Set(FloatTag(), query.hitT);
-        size = dropBeyond(query.hitT, stack, size);
+      } else {
+        size = pushNearestLast(node, query.octant, test, stack, size);
+        child = WideChild::fromWord(stack.children[--size]);
       }
     }
-    child = WideChild::fromWord(stack.children[--size]);
+    if (child.isObject()) {
+      progress.size = size;
+      progress.restCount = 0;
+      progress.object = child;
+      return child.isEnd() ? Pause::End : Pause::Object;
+    }
+    block = query.blocks + child.firstBlock() - 1;
+    restCount = child.blockCount();
   }
 }
 
@@ -591,13 +600,16 @@ HWY_INLINE bool traverse(WideQuery& query) {
   progress.push(-std::numeric_limits<float>::infinity(), WideChild::end());
   progress.push(query.tMin, query.root);
   while (true) {
-    const WideChild child = goToObjects<Goal>(query, progress);
-    if (child.isEnd())
-      return progress.found;
     const float end = query.hitT;
-    progress.found |= child.isObject() || !Goal::kHandsOver
-                          ? query.testObject(query, child.reference())
-                          : query.testCandidates(query, progress.candidates);
+    const Pause pause = walk<Goal>(query, progress);
+    if (pause == Pause::End)
+      return progress.found;
+    if (pause == Pause::Object)
+      progress.found |= query.testObject(query, progress.object.reference());
+    else if constexpr (Goal::kHandsOver)
+      progress.found |= handOverCandidates(query, *progress.block, progress.lanes);
+    else
+      progress.found |= testCandidates<Goal>(query, *progress.block, progress.lanes);
     if (Goal::kStopsAtAnyHit && progress.found)
       return true;
     if (query.hitT < end)

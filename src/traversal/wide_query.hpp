@@ -12,12 +12,10 @@
 
 namespace planetree::detail {
 
-/// Triangles that a kernel hands over.
+/// Triangles of a block that a kernel hands over.
 struct Candidates {
-  static constexpr std::size_t kCapacity = WideChild::kMaxBlockCount * TriangleBlock::kLaneCount;
-
-  std::uint32_t objects[kCapacity];
-  float earliest[kCapacity];  ///< no hit is nearer; or NaN
+  std::uint32_t objects[TriangleBlock::kLaneCount];
+  float earliest[TriangleBlock::kLaneCount];  ///< no hit is nearer; or NaN
   std::uint32_t count = 0;
 };
 
