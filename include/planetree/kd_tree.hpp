@@ -42,7 +42,9 @@ class KdTree {
   ~KdTree() = default;
 
   explicit KdTree(detail::TreeData<Scalar> data)
-      : data_(std::make_shared<const detail::TreeData<Scalar>>(std::move(data))) {}
+      : data_(std::make_shared<const detail::TreeData<Scalar>>(std::move(data))),
+        view_{data_->nodes, data_->references, data_->geometries, data_->bounds,
+              data_->wide.get()} {}
 
   // --- queries ---
 
@@ -167,9 +169,7 @@ class KdTree {
   }
 
   /// The arrays of the tree, for the functions of the traversal headers.
-  [[nodiscard]] TreeView<Scalar> view() const noexcept {
-    return {data_->nodes, data_->references, data_->geometries, data_->bounds, data_->wide.get()};
-  }
+  [[nodiscard]] const TreeView<Scalar>& view() const noexcept { return view_; }
 
   // --- reports ---
 
@@ -186,6 +186,7 @@ class KdTree {
 
  private:
   std::shared_ptr<const detail::TreeData<Scalar>> data_;
+  TreeView<Scalar> view_;  ///< of `data_`, made once: every query needs it
 };
 
 }  // namespace planetree

@@ -25,9 +25,9 @@ struct ShearedCorner {
 
 HWY_INLINE ShearedCorner shearCorner(const WideQuery& query, const TriangleBlock& block,
                                      std::size_t i) {
-  const float z = block.positions[query.kz][i] - query.originZ;
-  return {block.positions[query.kx][i] - query.originX - query.shearX * z,
-          block.positions[query.ky][i] - query.originY - query.shearY * z, z};
+  const float z = block.positions[query.kz][i] - query.origin[query.kz];
+  return {block.positions[query.kx][i] - query.origin[query.kx] - query.shear[query.kx] * z,
+          block.positions[query.ky][i] - query.origin[query.ky] - query.shear[query.ky] * z, z};
 }
 
 /// Where a ray meets a triangle with rounded corners, if it does: t lies in between. Such bounds
@@ -60,7 +60,8 @@ HWY_INLINE DistanceBounds boundByCorners(const WideQuery& query, const TriangleB
                                          std::size_t lane) {
   const float inverse = query.inverse[query.kz];
   const auto distance = [&](std::size_t corner) {
-    return (block.positions[query.kz][block.corners[corner][lane]] - query.originZ) * inverse;
+    return (block.positions[query.kz][block.corners[corner][lane]] - query.origin[query.kz]) *
+           inverse;
   };
   const float a = distance(0);
   const float b = distance(1);

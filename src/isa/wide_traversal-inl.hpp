@@ -12,6 +12,7 @@
 #include <planetree/node/node_layout.hpp>
 
 #include "isa/distance_bounds-inl.hpp"
+#include "isa/prepare_ray-inl.hpp"
 #include "isa/wide_kernels.hpp"
 #include "traversal/wide_query.hpp"
 
@@ -332,14 +333,14 @@ class BlockRay {
     Lanes depth;
     forEachVector([&](auto i) {
       const std::size_t at = i * kLanesPerVector;
-      const Floats z =
-          hn::Sub(hn::Load(d, block.positions[query_.kz] + at), everywhere(query_.originZ));
-      x.vectors[i] =
-          hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.kx] + at), everywhere(query_.originX)),
-                  hn::Mul(everywhere(query_.shearX), z));
-      y.vectors[i] =
-          hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.ky] + at), everywhere(query_.originY)),
-                  hn::Mul(everywhere(query_.shearY), z));
+      const Floats z = hn::Sub(hn::Load(d, block.positions[query_.kz] + at),
+                               everywhere(query_.origin[query_.kz]));
+      x.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.kx] + at),
+                                     everywhere(query_.origin[query_.kx])),
+                             hn::Mul(everywhere(query_.shear[query_.kx]), z));
+      y.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.ky] + at),
+                                     everywhere(query_.origin[query_.ky])),
+                             hn::Mul(everywhere(query_.shear[query_.ky]), z));
       if constexpr (kTestsDepth)
         depth.vectors[i] = hn::Mul(z, everywhere(depthPerZ_));
     });
@@ -596,6 +597,10 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
 
 template <class Goal>
 HWY_INLINE bool traverse(WideQuery& query) {
+  if (query.ray != nullptr && !prepareRay(query)) {
+    query.isOutOfRange = true;
+    return false;
+  }
   Progress progress;
   progress.push(-std::numeric_limits<float>::infinity(), WideChild::end());
   progress.push(query.tMin, query.root);

@@ -110,12 +110,23 @@ struct alignas(64) WideNode {
 };
 static_assert(sizeof(WideNode) == 512);
 
+/// Where a wide tree lies. One number more than there are axes, for loads of four.
+struct alignas(16) WideFrame {
+  float center[4] = {};    ///< what the positions are relative to
+  float halfSize[4] = {};  ///< how far the bounds reach from there, rounded up
+};
+
 /// A tree in its wide form.
 struct WideTree {
-  Vec3f center = {};  ///< what the positions are relative to
+  WideFrame frame = {};
+  std::uint32_t commonMask = 0;  ///< what the masks of all geometries have in common
   WideChild root = {};
   std::vector<WideNode> nodes = {};
   std::vector<TriangleBlock> blocks = {};
+
+  [[nodiscard]] Vec3f center() const noexcept {
+    return {frame.center[0], frame.center[1], frame.center[2]};
+  }
 };
 
 }  // namespace planetree::detail

@@ -386,7 +386,7 @@ class Widener {
     for (const Axis axis : kAxes) {
       const auto i = 2 * static_cast<std::size_t>(axis);
       // In double the difference of two floats is off by far less than the step that is added.
-      const double center = static_cast<double>(tree_.center[axis]);
+      const double center = static_cast<double>(tree_.frame.center[static_cast<std::size_t>(axis)]);
       node.planes[i][slot] = roundDown(static_cast<double>(box.lower[axis]) - center);
       node.planes[i + 1][slot] = roundUp(static_cast<double>(box.upper[axis]) - center);
     }
@@ -463,7 +463,14 @@ WideTree widenTree(std::span<const Node> nodes, std::span<const Box3> leafBounds
   WideTree tree;
   if (bounds.isEmpty())
     return tree;
-  tree.center = centerOfWideTree(bounds);
+  const Vec3f center = centerOfWideTree(bounds);
+  for (const Axis axis : kAxes) {
+    const auto a = static_cast<std::size_t>(axis);
+    tree.frame.center[a] = center[axis];
+    const auto middle = static_cast<double>(center[axis]);
+    tree.frame.halfSize[a] = roundUp(std::max(static_cast<double>(bounds.upper[axis]) - middle,
+                                              middle - static_cast<double>(bounds.lower[axis])));
+  }
   Widener(nodes, leafBounds, boxes, tree).run(packLeaf);
   settle(tree.nodes);
   settle(tree.blocks);

@@ -90,6 +90,14 @@ BuildOptions optionsFor(const TreeData<T>& tree) {
 }
 
 template <class T>
+std::uint32_t commonMaskOf(const std::vector<GeometryEntry<T>>& geometries) noexcept {
+  std::uint32_t common = 0xFFFF'FFFFu;
+  for (const GeometryEntry<T>& geometry : geometries)
+    common &= geometry.mask;
+  return common;
+}
+
+template <class T>
 bool holdsOnlyFaces(const TreeData<T>& tree) noexcept {
   return std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh<T>);
 }
@@ -129,8 +137,10 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     tree.references.shrink_to_fit();
     clock.end("assemble");
 
-    tree.wide = std::make_shared<const WideTree>(widenTree(
-        tree.nodes, array.takeLeafBounds(), array.takeBoxes(), tree.bounds, packTrianglesOf(tree)));
+    WideTree wide = widenTree(tree.nodes, array.takeLeafBounds(), array.takeBoxes(), tree.bounds,
+                              packTrianglesOf(tree));
+    wide.commonMask = commonMaskOf(tree.geometries);
+    tree.wide = std::make_shared<const WideTree>(std::move(wide));
     clock.end("widen");
   };
   // An arena of its own keeps the caller's tasks out of the build, and the build out of them.

@@ -23,6 +23,8 @@ constexpr std::size_t kLargeNodeCount = 32'768;
 
 template <class T>
 bool seesAll(const Request<T>& request) noexcept {
+  if ((request.mask & request.tree.wide->commonMask) != 0)
+    return true;
   return std::all_of(request.tree.geometries.begin(), request.tree.geometries.end(),
                      [&](const GeometryEntry<T>& entry) { return request.sees(entry); });
 }
@@ -47,11 +49,17 @@ class WideSearch : public WideQuery {
     };
   }
 
+  /// Whether the query can be answered. Rays in float are prepared by the kernels, which may still
+  /// find that they cannot.
   [[nodiscard]] bool prepareRay() noexcept {
-    if constexpr (std::is_same_v<T, float>)
-      return prepare(request_.asked, tree_.bounds, tree_.wide->center);
-    else
-      return prepare(query().ray, tree_.bounds, tree_.wide->center);
+    if constexpr (std::is_same_v<T, float>) {
+      static_assert(sizeof(Rayf) == 8 * sizeof(float) && offsetof(Rayf, direction) == 12);
+      ray = &request_.asked.origin.x;
+      frame = &tree_.wide->frame;
+      return true;
+    } else {
+      return prepare(query().ray, tree_.bounds, tree_.wide->center());
+    }
   }
 
   [[nodiscard]] bool run(const WideKernels& kernels) noexcept {
@@ -199,7 +207,10 @@ std::optional<bool> searchWide(const Request<T>& request, Hit<T>& hit,
   WideSearch<Goal, T> search(request, hit);
   if (!search.prepareRay())
     return std::nullopt;
-  return search.run(kernels);
+  const bool found = search.run(kernels);
+  if (search.isOutOfRange)
+    return std::nullopt;
+  return found;
 }
 
 #define PLANETREE_INSTANTIATE(Goal, T)                                      \

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <planetree/geometry/box3.hpp>
-#include <planetree/geometry/ray.hpp>
 #include <planetree/traversal/prepared_ray.hpp>
 
 #include "node/wide_node.hpp"
@@ -22,12 +21,15 @@ struct Candidates {
 /// A ray on its way through the wide form of a tree: all that a kernel reads, and what it found.
 /// Plain numbers and functions only, so that kernels share no code with the rest of the library.
 struct WideQuery {
-  /// Fills in the ray; `center` is that of the wide tree, whose bounds must not be empty. False if
-  /// the numbers of the ray are so large or small that the tests of boxes could over- or underflow,
-  /// or are no numbers.
-  [[nodiscard]] bool prepare(const Rayf& ray, const Box3& bounds, const Vec3f& center) noexcept;
-  /// The same for a tree whose objects are in double, and its positions in blocks relative to the
-  /// center.
+  // Between these no product overflows, and what underflows is far below the slack: t of the
+  // farthest plane is at most the largest distance times 2^40 (see `PreparedRay`) over the largest
+  // component. docs/numerics.md, section 3.
+  static constexpr float kSmallest = 0x1p-40f;
+  static constexpr float kLargest = 0x1p+40f;
+
+  /// Fills in a ray for a tree whose objects are in double, and its positions in blocks relative to
+  /// the center. False if the numbers of the ray are so large or small that the tests of boxes
+  /// could over- or underflow, or are no numbers. Rays in float are prepared by the kernels.
   [[nodiscard]] bool prepare(const PreparedRay<double>& ray, const Box3& bounds,
                              const Vec3f& center) noexcept;
 
@@ -38,24 +40,27 @@ struct WideQuery {
   /// Whether nodes are so many that they are often far away, and worth fetching ahead.
   bool isLargeTree = false;
 
+  // --- what a ray in float is prepared from ---
+  const WideFrame* frame = nullptr;
+  const float* ray = nullptr;  ///< origin, direction, tMin, tMax; null if it is prepared
+  bool isOutOfRange = false;   ///< the kernel cannot answer
+
   // --- the ray as the triangles see it ---
   std::uint32_t kx = 0;  ///< the axes, permuted as in `ShearedRay`
   std::uint32_t ky = 1;
   std::uint32_t kz = 2;
-  float originX = 0.0f;  ///< the origin along kx
-  float originY = 0.0f;
-  float originZ = 0.0f;
-  float shearX = 0.0f;
-  float shearY = 0.0f;
   float directionZ = 0.0f;
   float tMin = 0.0f;
 
-  // --- the ray as the boxes see it: t = plane * inverse + offset ---
   // One number more than there are axes: four are computed as fast as three.
-  alignas(16) float inverse[4] = {};
-  alignas(16) float nearOffset[4] = {};  ///< less the slack, so that t is never too late
-  alignas(16) float farOffset[4] = {};   ///< plus the slack, so that t is never too early
-  std::uint32_t octant = 0;              ///< bit a: the direction is negative along axis a
+  alignas(16) float origin[4];
+  alignas(16) float shear[4];  ///< along kx and ky
+
+  // --- the ray as the boxes see it: t = plane * inverse + offset ---
+  alignas(16) float inverse[4];
+  alignas(16) float nearOffset[4];  ///< less the slack, so that t is never too late
+  alignas(16) float farOffset[4];   ///< plus the slack, so that t is never too early
+  std::uint32_t octant = 0;         ///< bit a: the direction is negative along axis a
   float reach = 0.0f;  ///< the largest distance, along an axis, from the origin to a corner
 
   // --- objects that are not in blocks ---
@@ -76,7 +81,7 @@ struct WideQuery {
   std::uint32_t hitObject = 0xFFFF'FFFFu;   ///< the tree's number of the object
   const TriangleBlock* hitBlock = nullptr;  ///< null if it is no triangle of a block
   std::uint32_t hitLane = 0;
-  double hitWeights[3] = {};  ///< of the corners, not divided by their sum
+  double hitWeights[3];  ///< of the corners, not divided by their sum
 };
 
 }  // namespace planetree::detail

@@ -41,11 +41,10 @@ void prepareForBlocks(const ShearedRay<double>& sheared, const Vec3d& origin, do
   query.kx = static_cast<std::uint32_t>(sheared.kx);
   query.ky = static_cast<std::uint32_t>(sheared.ky);
   query.kz = static_cast<std::uint32_t>(sheared.kz);
-  query.originX = static_cast<float>(origin[sheared.kx]);
-  query.originY = static_cast<float>(origin[sheared.ky]);
-  query.originZ = static_cast<float>(origin[sheared.kz]);
-  query.shearX = static_cast<float>(sheared.shearX);
-  query.shearY = static_cast<float>(sheared.shearY);
+  for (const Axis axis : kAxes)
+    query.origin[static_cast<std::size_t>(axis)] = static_cast<float>(origin[axis]);
+  query.shear[query.kx] = static_cast<float>(sheared.shearX);
+  query.shear[query.ky] = static_cast<float>(sheared.shearY);
   query.directionZ = static_cast<float>(sheared.ray.direction[sheared.kz]);
   query.edgeSlack = static_cast<float>(kEdgeSlackInRoundoffs * kRoundoffOfFloat * distance);
 }
@@ -71,21 +70,21 @@ void prepareForBoxes(const PreparedRay<double>& ray, const Vec3d& origin, double
 
 }  // namespace
 
-bool WideQuery::prepare(const PreparedRay<double>& ray, const Box3& bounds,
+bool WideQuery::prepare(const PreparedRay<double>& prepared, const Box3& bounds,
                         const Vec3f& center) noexcept {
-  const ShearedRay<double>& sheared = ray.sheared;
+  const ShearedRay<double>& sheared = prepared.sheared;
   const double largestComponent = std::fabs(sheared.ray.direction[sheared.kz]);
   const auto middle = static_cast<Vec3d>(center);
-  const Vec3d origin = sheared.ray.origin - middle;
-  const double distance = reachFrom(origin, bounds, middle);
+  const Vec3d fromCenter = sheared.ray.origin - middle;
+  const double distance = reachFrom(fromCenter, bounds, middle);
   // False for NaN.
   const bool isInRange = largestComponent >= kSmallestDirection &&
                          largestComponent <= kLargestDirection && distance >= kSmallestReach &&
                          distance <= kLargestReach;
-  if (!ray.isValid() || !isInRange)
+  if (!prepared.isValid() || !isInRange)
     return false;
-  prepareForBlocks(sheared, origin, distance, *this);
-  prepareForBoxes(ray, origin, distance, *this);
+  prepareForBlocks(sheared, fromCenter, distance, *this);
+  prepareForBoxes(prepared, fromCenter, distance, *this);
   reach = static_cast<float>(distance);
   cornersAreRounded = true;
   return true;

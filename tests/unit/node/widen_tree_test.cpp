@@ -66,8 +66,8 @@ class WideWalk {
     Box3 box;
     for (const Axis axis : kAxes) {
       const auto i = 2 * static_cast<std::size_t>(axis);
-      box.lower[axis] = node.planes[i][slot] + wide_.center[axis];
-      box.upper[axis] = node.planes[i + 1][slot] + wide_.center[axis];
+      box.lower[axis] = node.planes[i][slot] + wide_.center()[axis];
+      box.upper[axis] = node.planes[i + 1][slot] + wide_.center()[axis];
     }
     return box;
   }
@@ -141,7 +141,7 @@ TEST(WidenTree, GivesEachShapeTheBoxOfItsOwn) {
       const Box3 bounds = tree.object(view.references[node.children[slot].reference()]).bounds();
       for (const Axis axis : kAxes) {
         const auto i = 2 * static_cast<std::size_t>(axis);
-        const float center = view.wide->center[axis];
+        const float center = view.wide->center()[axis];
         EXPECT_GE(node.planes[i][slot] + center, bounds.lower[axis] - 1e-6f);
         EXPECT_LE(node.planes[i + 1][slot] + center, bounds.upper[axis] + 1e-6f);
       }

@@ -1,0 +1,131 @@
+// What the wide form needs of a ray in float. Compiled once for each instruction set; hence no
+// include guard but the one of Highway.
+
+#if defined(PLANETREE_PREPARE_RAY_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLANETREE_PREPARE_RAY_INL
+#undef PLANETREE_PREPARE_RAY_INL
+#else
+#define PLANETREE_PREPARE_RAY_INL
+#endif
+
+#include "traversal/wide_query.hpp"
+
+#include <hwy/highway.h>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace planetree::detail::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_SCALAR
+
+/// Fills in what depends on the ray. False if its numbers are so large or small that the tests of
+/// boxes could over- or underflow, or are no numbers. Without vectors `PreparedRay` does it.
+HWY_INLINE bool prepareRay(WideQuery& query) {
+  Rayf ray;
+  Box3 bounds;
+  for (const Axis axis : kAxes) {
+    const auto a = static_cast<std::size_t>(axis);
+    ray.origin[axis] = query.ray[a];
+    ray.direction[axis] = query.ray[3 + a];
+    bounds.lower[axis] = query.frame->center[a] - query.frame->halfSize[a];
+    bounds.upper[axis] = query.frame->center[a] + query.frame->halfSize[a];
+  }
+  const PreparedRay<float> prepared(ray, bounds);
+  const ShearedRay<float>& sheared = prepared.sheared;
+  query.directionZ = ray.direction[sheared.kz];
+  query.reach = largestDistance(ray.origin, bounds);
+  const float length = std::fabs(query.directionZ);
+  if (!(prepared.isValid() && length >= WideQuery::kSmallest && length <= WideQuery::kLargest &&
+        query.reach >= WideQuery::kSmallest && query.reach <= WideQuery::kLargest))
+    return false;
+
+  query.kx = static_cast<std::uint32_t>(sheared.kx);
+  query.ky = static_cast<std::uint32_t>(sheared.ky);
+  query.kz = static_cast<std::uint32_t>(sheared.kz);
+  query.shear[query.kx] = sheared.shearX;
+  query.shear[query.ky] = sheared.shearY;
+  query.octant = 0;
+  for (const Axis axis : kAxes) {
+    const auto a = static_cast<std::size_t>(axis);
+    const AxisRay<float>& along = prepared.along(axis);
+    const float offset = (query.frame->center[a] - along.origin) * along.inverseDirection;
+    query.origin[a] = along.origin;
+    query.inverse[a] = along.inverseDirection;
+    query.nearOffset[a] = offset - along.slack;
+    query.farOffset[a] = offset + along.slack;
+    query.octant |= static_cast<std::uint32_t>(along.fromAbove) << a;
+  }
+  return true;
+}
+
+#else
+
+/// One number for each axis, and one more that nobody reads.
+using AxesTag = hn::FixedTag<float, 4>;
+using Axes = hn::Vec<AxesTag>;
+
+HWY_INLINE std::uint32_t axesIn(hn::Mask<AxesTag> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(AxesTag(), mask, bytes);
+  return bytes[0] & 7u;
+}
+
+/// Fills in what depends on the ray, as the version without vectors does, for speed: to prepare a
+/// ray is a good part of a query that ends after a few nodes. All axes at a time, and no branches
+/// that depend on the direction.
+HWY_INLINE bool prepareRay(WideQuery& query) {
+  const AxesTag d;
+  const auto isAxis = hn::FirstN(d, 3);
+  const Axes origin = hn::LoadU(d, query.ray);
+  const Axes direction = hn::LoadU(d, query.ray + 3);
+  const Axes toCenter = hn::Sub(hn::Load(d, query.frame->center), origin);
+  const Axes sizes = hn::IfThenElseZero(isAxis, hn::Abs(direction));
+  const Axes distances =
+      hn::IfThenElseZero(isAxis, hn::Add(hn::Abs(toCenter), hn::Load(d, query.frame->halfSize)));
+  const Axes largest = hn::MaxOfLanes(d, sizes);
+  const Axes reach = hn::MaxOfLanes(d, distances);
+  query.reach = hn::GetLane(reach);
+
+  // The largest of numbers says nothing of those that are none; differences from themselves do.
+  const Axes notNumbers = hn::Add(hn::Sub(origin, origin), hn::Sub(direction, direction));
+  const bool areNumbers = axesIn(hn::Eq(notNumbers, hn::Zero(d))) == 7u;
+  const float length = hn::GetLane(largest);
+  if (!(areNumbers && length >= WideQuery::kSmallest && length <= WideQuery::kLargest &&
+        query.reach >= WideQuery::kSmallest && query.reach <= WideQuery::kLargest))
+    return false;
+
+  // As in `ShearedRay`: of axes along which the direction is equally large, the last one.
+  constexpr std::uint8_t kNextAxis[3] = {1, 2, 0};
+  query.kz = 31u - static_cast<std::uint32_t>(
+                       hwy::Num0BitsAboveMS1Bit_Nonzero32(axesIn(hn::Eq(sizes, largest))));
+  query.kx = kNextAxis[query.kz];
+  query.ky = kNextAxis[query.kx];
+  query.directionZ = query.ray[3 + query.kz];
+  hn::Store(origin, d, query.origin);
+  hn::Store(hn::Div(direction, hn::Set(d, query.directionZ)), d, query.shear);
+
+  const Axes smallest = hn::Mul(largest, hn::Set(d, kNearParallel<float>));
+  const Axes component = hn::CopySign(hn::Max(sizes, smallest), direction);
+  const Axes inverse = hn::Div(hn::Set(d, 1.0f), component);
+  const Axes distanceSlack =
+      hn::Mul(reach, hn::Set(d, kSlackInRoundoffs<float> * kRoundoff<float>));
+  const Axes slack = hn::Mul(distanceSlack, hn::Abs(inverse));
+  const Axes offset = hn::Mul(toCenter, inverse);
+  hn::Store(inverse, d, query.inverse);
+  hn::Store(hn::Sub(offset, slack), d, query.nearOffset);
+  hn::Store(hn::Add(offset, slack), d, query.farOffset);
+  const hn::RebindToSigned<AxesTag> words;
+  query.octant = axesIn(hn::RebindMask(d, hn::Lt(hn::BitCast(words, direction), hn::Zero(words))));
+  return true;
+}
+
+#endif  // HWY_TARGET == HWY_SCALAR
+
+}  // namespace planetree::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
