@@ -99,11 +99,10 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
     return false;
 
   // As in `ShearedRay`: of axes along which the direction is equally large, the last one.
-  constexpr std::uint8_t kNextAxis[3] = {1, 2, 0};
   query.kz = 31u - static_cast<std::uint32_t>(
                        hwy::Num0BitsAboveMS1Bit_Nonzero32(axesIn(hn::Eq(sizes, largest))));
-  query.kx = kNextAxis[query.kz];
-  query.ky = kNextAxis[query.kx];
+  query.kx = query.kz == 2 ? 0 : query.kz + 1;
+  query.ky = query.kz == 0 ? 2 : query.kz - 1;
   query.directionZ = query.ray[3 + query.kz];
   hn::Store(origin, d, query.origin);
   hn::Store(hn::Div(direction, hn::Set(d, query.directionZ)), d, query.shear);

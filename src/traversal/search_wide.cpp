@@ -21,11 +21,11 @@ namespace {
 /// ahead costs as much as it saves.
 constexpr std::size_t kLargeNodeCount = 32'768;
 
+/// Whether the request sees all geometries; nearly always the first question tells.
 template <class T>
 bool seesAll(const Request<T>& request) noexcept {
-  if ((request.mask & request.tree.wide->commonMask) != 0)
-    return true;
-  return std::all_of(request.tree.geometries.begin(), request.tree.geometries.end(),
+  return (request.mask & request.tree.wide->commonMask) != 0 ||
+         std::all_of(request.tree.geometries.begin(), request.tree.geometries.end(),
                      [&](const GeometryEntry<T>& entry) { return request.sees(entry); });
 }
 
