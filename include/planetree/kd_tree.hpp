@@ -168,7 +168,7 @@ class KdTree {
                          : planetree::findIntersection(node.split(), view(), r, i, tMin, tMax);
   }
 
-  /// The arrays of the tree, for the functions of the traversal headers.
+  /// The arrays of the tree, for functions of the traversal headers. Valid as long as this tree.
   [[nodiscard]] const TreeView<Scalar>& view() const noexcept { return view_; }
 
   // --- reports ---
