@@ -1,6 +1,7 @@
 #include "mesh/pack_leaf.hpp"
 
 #include "mesh/pack_triangles.hpp"
+#include "support/sort_by.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,9 +30,7 @@ std::vector<std::uint32_t> sortedInSpace(const TriangleMeshView<T>& mesh,
   const Axis axis = size.x > size.y ? (size.x > size.z ? Axis::X : Axis::Z)
                                     : (size.y > size.z ? Axis::Y : Axis::Z);
   std::vector<std::uint32_t> sorted(objects.begin(), objects.end());
-  std::stable_sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return lowestCorner(a)[axis] < lowestCorner(b)[axis];
-  });
+  sortBy(sorted, [&](std::uint32_t object) { return lowestCorner(object)[axis]; });
   return sorted;
 }
 

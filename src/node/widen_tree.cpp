@@ -4,6 +4,7 @@
 
 #include "support/assert.hpp"
 #include "support/large_pages.hpp"
+#include "support/sort_by.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,8 +97,7 @@ WideNode sortedByArea(const WideNode& node) {
   };
   std::array<std::uint8_t, kSlotCount> from;
   std::iota(from.begin(), from.end(), std::uint8_t{0});
-  std::stable_sort(from.begin(), from.end(),
-                   [&](std::uint8_t a, std::uint8_t b) { return areaOf(a) < areaOf(b); });
+  sortBy(from, areaOf);
   WideNode sorted;
   std::array<std::uint8_t, kSlotCount> to;
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
@@ -341,8 +341,7 @@ class Widener {
       const Box3& box = boxOf(leaf, reference);
       return box.lower[axis] + box.upper[axis];
     };
-    std::stable_sort(references.begin(), references.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return middle(a) < middle(b); });
+    sortBy(references, middle);
   }
 
   /// Divides the slots among the children of a split that becomes a part of a wide node.
@@ -431,9 +430,7 @@ class Widener {
                               std::size_t octant, NearestFirst& order) {
     std::vector<std::size_t> places(boxes.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
-    std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
-      return entryInto(boxes[a], octant) < entryInto(boxes[b], octant);
-    });
+    sortBy(places, [&](std::size_t place) { return entryInto(boxes[place], octant); });
     for (const std::size_t place : places)
       order.add(firstSlot + place);
   }
