@@ -1,5 +1,6 @@
 #include "mesh/pack_leaf.hpp"
 
+#include "geometry/longest_axis.hpp"
 #include "mesh/pack_triangles.hpp"
 #include "support/sort_by.hpp"
 
@@ -26,9 +27,7 @@ std::vector<std::uint32_t> sortedInSpace(const TriangleMeshView<T>& mesh,
   Box3 spread;
   for (const std::uint32_t object : objects)
     spread.extend(lowestCorner(object));
-  const Vec3f size = spread.size();
-  const Axis axis = size.x > size.y ? (size.x > size.z ? Axis::X : Axis::Z)
-                                    : (size.y > size.z ? Axis::Y : Axis::Z);
+  const Axis axis = longestAxis(spread);
   std::vector<std::uint32_t> sorted(objects.begin(), objects.end());
   sortBy(sorted, [&](std::uint32_t object) { return lowestCorner(object)[axis]; });
   return sorted;

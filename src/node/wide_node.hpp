@@ -123,10 +123,6 @@ struct WideTree {
   WideChild root = {};
   std::vector<WideNode> nodes = {};
   std::vector<TriangleBlock> blocks = {};
-
-  [[nodiscard]] Vec3f center() const noexcept {
-    return {frame.center[0], frame.center[1], frame.center[2]};
-  }
 };
 
 }  // namespace planetree::detail

@@ -2,6 +2,7 @@
 
 #include <planetree/error.hpp>
 
+#include "geometry/longest_axis.hpp"
 #include "support/assert.hpp"
 #include "support/large_pages.hpp"
 #include "support/sort_by.hpp"
@@ -74,13 +75,6 @@ double entryInto(const Box3& box, std::size_t octant) noexcept {
                             : static_cast<double>(box.lower[axis]);
   }
   return entry;
-}
-
-Axis longestAxis(const Box3& box) noexcept {
-  const Vec3f size = box.size();
-  if (size.x >= size.y && size.x >= size.z)
-    return Axis::X;
-  return size.y >= size.z ? Axis::Y : Axis::Z;
 }
 
 /// The same node with the largest boxes in the last slots. Rays that are content with any hit take
@@ -198,12 +192,10 @@ class Widener {
     SlotPlan& plan = plans_[leaf];
     const std::size_t count = nodes_[leaf].leaf().count();
     const auto area = static_cast<float>(bounds_[leaf].surfaceArea());
-    if (packed_[leaf]) {
-      plan.area.fill(packed_[leaf]->isNode() ? area : 0.0f);
-      plan.area[0] = std::numeric_limits<float>::infinity();
-      return;
-    }
+    plan.area.fill(packed_[leaf] && packed_[leaf]->isNode() ? area : 0.0f);
     plan.area[0] = std::numeric_limits<float>::infinity();
+    if (packed_[leaf])
+      return;
     for (std::size_t slots = 1; slots <= kSlotCount && count > 1; ++slots) {
       if (slots < count)
         plan.area[slots] = area;
@@ -226,7 +218,7 @@ class Widener {
   /// Makes what a slot with this subtree leads to.
   WideChild place(std::size_t node) {
     if (nodes_[node].isLeaf())
-      return packed_[node] ? *packed_[node] : placeObjects(node, referencesOf(node));
+      return packed_[node] ? *packed_[node] : placeObjects(node);
     const std::size_t index = addNode();
     std::vector<Branch> branches;
     std::size_t slotCount = 0;
@@ -263,34 +255,37 @@ class Widener {
     }
     for (Box3& box : bounds)
       box = intersection(box, bounds_[leaf]);
-    return placeBlocks(first, bounds);
+    return placeRow(bounds, kBlocksTestedInARow, [&](std::size_t begin, std::size_t count) {
+      return WideChild::blocks(static_cast<std::uint32_t>(first + begin),
+                               static_cast<std::uint32_t>(count));
+    });
   }
 
-  /// A few blocks are tested one after the other; more of them get boxes of their own, in nodes
-  /// whose order does not matter: these boxes overlap.
-  WideChild placeBlocks(std::size_t first, std::span<const Box3> bounds) {
-    if (bounds.size() <= kBlocksTestedInARow) {
-      return WideChild::blocks(static_cast<std::uint32_t>(first),
-                               static_cast<std::uint32_t>(bounds.size()));
-    }
+  /// Makes what leads to things in a row, each with its box: one child for up to `mostTogether` of
+  /// them, which `childFor` gives; for more, nodes that divide the row.
+  template <class ChildFor>
+  WideChild placeRow(std::span<const Box3> boxes, std::size_t mostTogether,
+                     const ChildFor& childFor, std::size_t first = 0) {
+    if (boxes.size() <= mostTogether)
+      return childFor(first, boxes.size());
     const std::size_t index = addNode();
     WideNode wide = emptyNode();
-    std::array<std::uint8_t, kSlotCount> slots = {};
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      slots[slot] = static_cast<std::uint8_t>(slot);
-      const std::size_t begin = bounds.size() * slot / kSlotCount;
-      const auto part = bounds.subspan(begin, bounds.size() * (slot + 1) / kSlotCount - begin);
-      if (part.empty())
-        continue;
+    std::vector<Box3> parts;
+    const std::size_t partCount = std::min(boxes.size(), kSlotCount);
+    for (std::size_t part = 0; part < partCount; ++part) {
+      const std::size_t begin = boxes.size() * part / partCount;
+      const auto run = boxes.subspan(begin, boxes.size() * (part + 1) / partCount - begin);
       Box3 box;
-      for (const Box3& each : part)
+      for (const Box3& each : run)
         box.extend(each);
       if (box.isEmpty())
         continue;
-      setBounds(wide, slot, box);
-      wide.children[slot] = placeBlocks(first + begin, part);
+      setBounds(wide, parts.size(), box);
+      wide.children[parts.size()] = placeRow(run, mostTogether, childFor, first + begin);
+      parts.push_back(box);
     }
-    wide.orders.fill(SlotOrder(slots));
+    for (std::size_t octant = 0; octant < wide.orders.size(); ++octant)
+      wide.orders[octant] = orderOf(parts, octant);
     tree_.nodes[index] = sortedByArea(wide);
     return WideChild::node(static_cast<std::uint32_t>(index));
   }
@@ -298,50 +293,28 @@ class Widener {
   [[nodiscard]] std::uint32_t referenceOf(std::size_t leaf, std::size_t object) const noexcept {
     return nodes_[leaf].leaf().firstReference() + static_cast<std::uint32_t>(object);
   }
-  [[nodiscard]] std::vector<std::uint32_t> referencesOf(std::size_t leaf) const {
-    std::vector<std::uint32_t> references(nodes_[leaf].leaf().count());
-    std::iota(references.begin(), references.end(), referenceOf(leaf, 0));
-    return references;
-  }
   [[nodiscard]] const Box3& boxOf(std::size_t leaf, std::uint32_t reference) const noexcept {
     return boxes_.empty() ? bounds_[leaf] : boxes_[reference];
   }
 
-  /// Makes what leads to some objects of a leaf: nodes with a slot for each, under nodes that
-  /// divide them into runs along the longest axis, if they are too many for one.
-  WideChild placeObjects(std::size_t leaf, std::vector<std::uint32_t> references) {
-    if (references.size() == 1)
-      return WideChild::object(references.front());
-    const std::size_t runLength = (references.size() + kSlotCount - 1) / kSlotCount;
-    if (runLength > 1)
-      sortAlongLongestAxis(leaf, references);
-    const std::size_t index = addNode();
-    WideNode wide = emptyNode();
-    std::vector<Box3> boxes;
-    for (std::size_t first = 0; first < references.size(); first += runLength) {
-      const std::size_t count = std::min(runLength, references.size() - first);
-      const auto begin = references.begin() + static_cast<std::ptrdiff_t>(first);
-      const std::vector<std::uint32_t> run(begin, begin + static_cast<std::ptrdiff_t>(count));
-      Box3 box;
-      for (const std::uint32_t reference : run)
-        box.extend(boxOf(leaf, reference));
-      setBounds(wide, boxes.size(), box);
-      wide.children[boxes.size()] = placeObjects(leaf, run);
-      boxes.push_back(box);
+  /// Makes what leads to the objects of a leaf that are on their own: each has a slot. If they are
+  /// too many for one node they are divided along the longest axis.
+  WideChild placeObjects(std::size_t leaf) {
+    std::vector<std::uint32_t> references(nodes_[leaf].leaf().count());
+    std::iota(references.begin(), references.end(), referenceOf(leaf, 0));
+    if (references.size() > kSlotCount) {
+      const Axis axis = longestAxis(bounds_[leaf]);
+      sortBy(references, [&](std::uint32_t reference) {
+        const Box3& box = boxOf(leaf, reference);
+        return box.lower[axis] + box.upper[axis];
+      });
     }
-    for (std::size_t octant = 0; octant < wide.orders.size(); ++octant)
-      wide.orders[octant] = orderOf(boxes, octant);
-    tree_.nodes[index] = sortedByArea(wide);
-    return WideChild::node(static_cast<std::uint32_t>(index));
-  }
-
-  void sortAlongLongestAxis(std::size_t leaf, std::vector<std::uint32_t>& references) const {
-    const Axis axis = longestAxis(bounds_[leaf]);
-    const auto middle = [&](std::uint32_t reference) {
-      const Box3& box = boxOf(leaf, reference);
-      return box.lower[axis] + box.upper[axis];
-    };
-    sortBy(references, middle);
+    std::vector<Box3> boxes;
+    for (const std::uint32_t reference : references)
+      boxes.push_back(boxOf(leaf, reference));
+    return placeRow(boxes, 1, [&](std::size_t object, std::size_t) {
+      return WideChild::object(references[object]);
+    });
   }
 
   /// Divides the slots among the children of a split that becomes a part of a wide node.
