@@ -20,6 +20,17 @@ namespace planetree::detail::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Between these no product overflows, and what underflows is far below the slack: t of the farthest
+// plane is at most the largest distance times 2^40 (see `PreparedRay`) over the largest component.
+// docs/numerics.md, section 3.
+constexpr float kSmallest = 0x1p-40f;
+constexpr float kLargest = 0x1p+40f;
+
+/// `length` is the largest component of the direction. False for NaN.
+HWY_INLINE bool isInRange(float length, float reach) {
+  return length >= kSmallest && length <= kLargest && reach >= kSmallest && reach <= kLargest;
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
 /// Fills in what depends on the ray. False if its numbers are so large or small that the tests of
@@ -38,9 +49,7 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   const ShearedRay<float>& sheared = prepared.sheared;
   query.directionZ = ray.direction[sheared.kz];
   query.reach = largestDistance(ray.origin, bounds);
-  const float length = std::fabs(query.directionZ);
-  if (!(prepared.isValid() && length >= WideQuery::kSmallest && length <= WideQuery::kLargest &&
-        query.reach >= WideQuery::kSmallest && query.reach <= WideQuery::kLargest))
+  if (!prepared.isValid() || !isInRange(std::fabs(query.directionZ), query.reach))
     return false;
 
   query.kx = static_cast<std::uint32_t>(sheared.kx);
@@ -93,9 +102,7 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   // The largest of numbers says nothing of those that are none; differences from themselves do.
   const Axes notNumbers = hn::Add(hn::Sub(origin, origin), hn::Sub(direction, direction));
   const bool areNumbers = axesIn(hn::Eq(notNumbers, hn::Zero(d))) == 7u;
-  const float length = hn::GetLane(largest);
-  if (!(areNumbers && length >= WideQuery::kSmallest && length <= WideQuery::kLargest &&
-        query.reach >= WideQuery::kSmallest && query.reach <= WideQuery::kLargest))
+  if (!areNumbers || !isInRange(hn::GetLane(largest), query.reach))
     return false;
 
   // As in `ShearedRay`: of axes along which the direction is equally large, the last one.

@@ -596,7 +596,7 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
 }
 
 template <class Goal>
-HWY_INLINE bool traverse(WideQuery& query) {
+bool search(WideQuery& query) noexcept {
   if (query.ray != nullptr && !prepareRay(query)) {
     query.isOutOfRange = true;
     return false;
@@ -638,11 +638,6 @@ struct AnyHandedOver {
   static constexpr bool kStopsAtAnyHit = true;
   static constexpr bool kHandsOver = true;
 };
-
-template <class Goal>
-bool search(WideQuery& query) noexcept {
-  return traverse<Goal>(query);
-}
 
 constexpr WideKernels kernelsNamed(std::string_view name) {
   return {.name = name,

@@ -1,10 +1,7 @@
 #include <planetree/traversal/find_intersection.hpp>
 
 #include "traversal/offer_hits.hpp"
-#include "traversal/search_wide.hpp"
-#include "traversal/traverse.hpp"
-
-#include <optional>
+#include "traversal/search_tree.hpp"
 
 namespace planetree {
 namespace {
@@ -18,16 +15,7 @@ bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& opti
   }
   detail::Request<T> request(tree, ray, ray.tMin, ray.tMax);
   request.mask = options.mask;
-  // Steps are those of the binary form.
-  if (!steps) {
-    if (const std::optional<bool> found = detail::searchWide<Goal>(request, hit))
-      return *found;
-  }
-  const detail::Query<T> query(request);
-  const Node& root = tree.nodes.front();
-  const Interval<T> part = query.partInsideTree();
-  return steps ? detail::traverse<Goal>(root, query, part, hit, detail::Counting(*steps))
-               : detail::traverse<Goal>(root, query, part, hit, detail::Unobserved{});
+  return detail::searchTree<Goal>(request, hit, steps);
 }
 
 }  // namespace

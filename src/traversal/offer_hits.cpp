@@ -1,24 +1,13 @@
 #include "traversal/offer_hits.hpp"
 
-#include "traversal/search_wide.hpp"
-
-#include <optional>
+#include "traversal/search_tree.hpp"
 
 namespace planetree::detail {
 
 template <class Goal, class T>
 bool offerHits(const Request<T>& request, StepCounts* steps) noexcept {
   Hit<T> unused;
-  // Steps are those of the binary form.
-  if (!steps) {
-    if (const std::optional<bool> found = searchWide<Goal>(request, unused))
-      return *found;
-  }
-  const Query<T> query(request);
-  const Node& root = query.tree.nodes.front();
-  const Interval<T> part = query.partInsideTree();
-  return steps ? traverse<Goal>(root, query, part, unused, Counting(*steps))
-               : traverse<Goal>(root, query, part, unused, Unobserved{});
+  return searchTree<Goal>(request, unused, steps);
 }
 
 template <class T>

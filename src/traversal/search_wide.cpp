@@ -38,6 +38,7 @@ class WideSearch : public WideQuery {
     nodes = tree_.wide->nodes.data();
     blocks = tree_.wide->blocks.data();
     root = tree_.wide->root;
+    frame = &tree_.wide->frame;
     isLargeTree = tree_.wide->nodes.size() > kLargeNodeCount;
     tMin = roundDown(request.interval.tMin);
     hitT = roundUp(request.interval.tMax);
@@ -55,10 +56,9 @@ class WideSearch : public WideQuery {
     if constexpr (std::is_same_v<T, float>) {
       static_assert(sizeof(Rayf) == 8 * sizeof(float) && offsetof(Rayf, direction) == 12);
       ray = &request_.asked.origin.x;
-      frame = &tree_.wide->frame;
       return true;
     } else {
-      return prepare(query().ray, tree_.bounds, tree_.wide->center());
+      return prepare(query().ray);
     }
   }
 
@@ -160,16 +160,19 @@ class WideSearch : public WideQuery {
   }
 
   void finishHit() noexcept {
-    if (hitBlock != nullptr) {
-      hit_ = hitInBlock();
-      const double sum = hitWeights[0] + hitWeights[1] + hitWeights[2];
-      hit_.u = static_cast<T>(hitWeights[1] / sum);
-      hit_.v = static_cast<T>(hitWeights[2] / sum);
-      const Vec3f normal =
-          floatNormal(hitBlock->corner(hitLane, 0), hitBlock->corner(hitLane, 1),
-                      hitBlock->corner(hitLane, 2), static_cast<Vec3f>(request_.asked.direction));
-      hit_.normal = static_cast<Vec3<T>>(normal);
-    } else if (normalIsMissing_) {
+    // Only triangles in float are decided by the kernels.
+    if constexpr (std::is_same_v<T, float>) {
+      if (hitBlock != nullptr) {
+        hit_ = hitInBlock();
+        const double sum = hitWeights[0] + hitWeights[1] + hitWeights[2];
+        hit_.u = static_cast<float>(hitWeights[1] / sum);
+        hit_.v = static_cast<float>(hitWeights[2] / sum);
+        hit_.normal = floatNormal(hitBlock->corner(hitLane, 0), hitBlock->corner(hitLane, 1),
+                                  hitBlock->corner(hitLane, 2), request_.asked.direction);
+        return;
+      }
+    }
+    if (normalIsMissing_) {
       const auto [a, b, c] = meshOf(tree_.geometries[hit_.geometry]).corners(hit_.primitive);
       hit_.normal = triangleNormal(a, b, c, request_.asked.direction);
     }

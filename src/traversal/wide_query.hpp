@@ -1,6 +1,5 @@
 #pragma once
 
-#include <planetree/geometry/box3.hpp>
 #include <planetree/traversal/prepared_ray.hpp>
 
 #include "node/wide_node.hpp"
@@ -21,17 +20,10 @@ struct Candidates {
 /// A ray on its way through the wide form of a tree: all that a kernel reads, and what it found.
 /// Plain numbers and functions only, so that kernels share no code with the rest of the library.
 struct WideQuery {
-  // Between these no product overflows, and what underflows is far below the slack: t of the
-  // farthest plane is at most the largest distance times 2^40 (see `PreparedRay`) over the largest
-  // component. docs/numerics.md, section 3.
-  static constexpr float kSmallest = 0x1p-40f;
-  static constexpr float kLargest = 0x1p+40f;
-
   /// Fills in a ray for a tree whose objects are in double, and its positions in blocks relative to
   /// the center. False if the numbers of the ray are so large or small that the tests of boxes
   /// could over- or underflow, or are no numbers. Rays in float are prepared by the kernels.
-  [[nodiscard]] bool prepare(const PreparedRay<double>& ray, const Box3& bounds,
-                             const Vec3f& center) noexcept;
+  [[nodiscard]] bool prepare(const PreparedRay<double>& prepared) noexcept;
 
   // --- the tree ---
   const WideNode* nodes = nullptr;
@@ -39,9 +31,9 @@ struct WideQuery {
   WideChild root = {};
   /// Whether nodes are so many that they are often far away, and worth fetching ahead.
   bool isLargeTree = false;
-
-  // --- what a ray in float is prepared from ---
   const WideFrame* frame = nullptr;
+
+  // --- a ray in float that is still to be prepared ---
   const float* ray = nullptr;  ///< origin, direction, tMin, tMax; null if it is prepared
   bool isOutOfRange = false;   ///< the kernel cannot answer
 

@@ -22,16 +22,13 @@ constexpr double kLargestDirection = 0x1p+40;
 constexpr double kSmallestReach = 0x1p-36;
 constexpr double kLargestReach = 0x1p+40;
 
-/// A query of a tree of doubles.
-
 /// The largest distance along an axis from the ray's origin to the center of the tree and on to a
 /// corner. `origin` is relative to the center.
-double reachFrom(const Vec3d& origin, const Box3& bounds, const Vec3d& center) noexcept {
+double reachFrom(const Vec3d& origin, const WideFrame& frame) noexcept {
   double reach = 0.0;
   for (const Axis axis : kAxes) {
-    const double below = center[axis] - static_cast<double>(bounds.lower[axis]);
-    const double above = static_cast<double>(bounds.upper[axis]) - center[axis];
-    reach = std::max(reach, std::fabs(origin[axis]) + std::max(below, above));
+    const auto toCorner = static_cast<double>(frame.halfSize[static_cast<std::size_t>(axis)]);
+    reach = std::max(reach, std::fabs(origin[axis]) + toCorner);
   }
   return reach;
 }
@@ -70,13 +67,13 @@ void prepareForBoxes(const PreparedRay<double>& ray, const Vec3d& origin, double
 
 }  // namespace
 
-bool WideQuery::prepare(const PreparedRay<double>& prepared, const Box3& bounds,
-                        const Vec3f& center) noexcept {
+bool WideQuery::prepare(const PreparedRay<double>& prepared) noexcept {
   const ShearedRay<double>& sheared = prepared.sheared;
   const double largestComponent = std::fabs(sheared.ray.direction[sheared.kz]);
-  const auto middle = static_cast<Vec3d>(center);
-  const Vec3d fromCenter = sheared.ray.origin - middle;
-  const double distance = reachFrom(fromCenter, bounds, middle);
+  Vec3d fromCenter = sheared.ray.origin;
+  for (const Axis axis : kAxes)
+    fromCenter[axis] -= static_cast<double>(frame->center[static_cast<std::size_t>(axis)]);
+  const double distance = reachFrom(fromCenter, *frame);
   // False for NaN.
   const bool isInRange = largestComponent >= kSmallestDirection &&
                          largestComponent <= kLargestDirection && distance >= kSmallestReach &&
