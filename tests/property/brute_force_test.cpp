@@ -1,8 +1,10 @@
 #include <planetree/planetree.hpp>
 
 #include "support/brute_force.hpp"
+#include "support/build_variants.hpp"
 #include "support/flush_to_zero.hpp"
 #include "support/hard_cases.hpp"
+#include "support/print_hit.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +12,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <span>
 #include <sstream>
 #include <string>
@@ -18,34 +19,8 @@
 #include <variant>
 #include <vector>
 
-namespace planetree {
-
-// Shown by GoogleTest when a comparison fails.
-template <class T>
-void PrintTo(const Hit<T>& hit, std::ostream* out) {
-  *out << "t " << hit.t << " geometry " << hit.geometry << " primitive " << hit.primitive
-       << " part " << hit.part << " u " << hit.u << " v " << hit.v << " normal (" << hit.normal.x
-       << ", " << hit.normal.y << ", " << hit.normal.z << ")";
-}
-
-namespace test {
+namespace planetree::test {
 namespace {
-
-std::vector<std::pair<std::string, BuildOptions>> buildVariants() {
-  BuildOptions deep;
-  deep.leafSize = 1;
-  deep.depthLimit = 24;
-  deep.stopsByCost = false;
-  BuildOptions unclipped;
-  unclipped.clipsReferences = false;
-  BuildOptions leaf;
-  leaf.depthLimit = 1;
-  return {{"defaults", BuildOptions{}},
-          {"textbook", BuildOptions::textbook()},
-          {"deep", deep},
-          {"unclipped", unclipped},
-          {"one leaf", leaf}};
-}
 
 template <class T>
 std::string describe(const Ray<T>& ray) {
@@ -139,5 +114,4 @@ TYPED_TEST(BruteForce, AgreesOnMixedShapesAndMeshesInOneTree) {
 }
 
 }  // namespace
-}  // namespace test
-}  // namespace planetree
+}  // namespace planetree::test

@@ -1,8 +1,10 @@
 #include <planetree/planetree.hpp>
 
 #include "support/brute_force_hits.hpp"
+#include "support/build_variants.hpp"
 #include "support/flush_to_zero.hpp"
 #include "support/hard_cases.hpp"
+#include "support/print_hit.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +14,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <span>
 #include <sstream>
 #include <string>
@@ -20,35 +21,13 @@
 #include <variant>
 #include <vector>
 
-namespace planetree {
-
-// Shown by GoogleTest when a comparison fails.
-template <class T>
-void PrintTo(const Hit<T>& hit, std::ostream* out) {
-  *out << "t " << hit.t << " geometry " << hit.geometry << " primitive " << hit.primitive
-       << " part " << hit.part << " u " << hit.u << " v " << hit.v << " normal (" << hit.normal.x
-       << ", " << hit.normal.y << ", " << hit.normal.z << ")";
-}
-
-namespace test {
+namespace planetree::test {
 namespace {
 
 template <class T>
 class QueryChoices : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(QueryChoices, Scalars);
-
-std::vector<BuildOptions> buildVariants() {
-  BuildOptions deep;
-  deep.leafSize = 1;
-  deep.depthLimit = 24;
-  deep.stopsByCost = false;
-  BuildOptions unclipped;
-  unclipped.clipsReferences = false;
-  BuildOptions leaf;
-  leaf.depthLimit = 1;
-  return {BuildOptions{}, BuildOptions::textbook(), deep, unclipped, leaf};
-}
 
 /// Rejects about every other hit, by its ids, its part and where on the object it is.
 template <class T>
@@ -132,7 +111,8 @@ template <class T>
 void agreesOnHardCases(int rayCount) {
   std::uint64_t salt = 7000;
   for (const HardMesh<T>& hard : hardMeshes<T>()) {
-    for (const BuildOptions& build : buildVariants()) {
+    for (const auto& [variant, build] : buildVariants()) {
+      SCOPED_TRACE(variant);
       SCOPED_TRACE(hard.name + ", " + describeSeed());
       const KdTree<Face<T>> tree = buildTree(hard.mesh.view(), build);
       const auto rays = hardRays(hard.mesh, tree.bounds(), rayCount, ++salt);
@@ -199,7 +179,8 @@ Scene<T> mixedScene() {
 TYPED_TEST(QueryChoices, AgreeBitForBitWithBruteForceOnShapesAndMeshesInOneTree) {
   using T = TypeParam;
   const Scene<T> scene = mixedScene<T>();
-  for (const BuildOptions& build : buildVariants()) {
+  for (const auto& [variant, build] : buildVariants()) {
+    SCOPED_TRACE(variant);
     SCOPED_TRACE(describeSeed());
     const KdTree<AnyObject<T>> tree = buildTree(scene, build);
     for (const Ray<T>& ray : hardRays(detail::soup<T>(72, 150, 0.3), tree.bounds(), 120, 73)) {
@@ -267,5 +248,4 @@ TYPED_TEST(QueryChoices, AFilterSeesTheWholeHitAndItsContext) {
 }
 
 }  // namespace
-}  // namespace test
-}  // namespace planetree
+}  // namespace planetree::test
