@@ -17,22 +17,18 @@ void requireRoom(std::size_t count, std::size_t limit, const std::string& what) 
 
 }  // namespace
 
-std::span<std::uint32_t> NodeArray::addLeaf(std::size_t count, const Box3& contents) {
+std::span<std::uint32_t> NodeArray::addLeaf(std::size_t count) {
   requireRoom(nodes_.size() + 1, kMaxNodeCount, "nodes");
   requireRoom(references_.size() + count, kMaxReferenceCount, "references");
   const std::size_t first = references_.size();
   nodes_.emplace_back(
       LeafNode(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
   references_.resize(first + count);
-  leafBounds_.push_back(contents);
-  if (keepsBoxes_)
-    boxes_.resize(first + count);
+  boxes_.resize(first + count);
   return std::span(references_).subspan(first);
 }
 
 std::span<Box3> NodeArray::boxesOfLastLeaf() noexcept {
-  if (!keepsBoxes_)
-    return {};
   return std::span(boxes_).subspan(nodes_.back().leaf().firstReference());
 }
 
@@ -61,7 +57,6 @@ void NodeArray::append(const NodeArray& part) {
     }
   }
   references_.insert(references_.end(), part.references_.begin(), part.references_.end());
-  leafBounds_.insert(leafBounds_.end(), part.leafBounds_.begin(), part.leafBounds_.end());
   boxes_.insert(boxes_.end(), part.boxes_.begin(), part.boxes_.end());
 }
 

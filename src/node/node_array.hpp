@@ -15,17 +15,12 @@ namespace planetree::detail {
 /// leaves. Throws `Error` with `CapacityExceeded` where an offset would not fit.
 class NodeArray {
  public:
-  /// `keepsBoxes`: whether the box of each reference is wanted besides that of each leaf.
-  explicit NodeArray(bool keepsBoxes = false) noexcept : keepsBoxes_(keepsBoxes) {}
-
-  [[nodiscard]] bool keepsBoxes() const noexcept { return keepsBoxes_; }
-
   /// Adds a leaf of `count` objects and returns room for their numbers, to be filled in rising
-  /// order before anything else is added. `contents` bounds what they have inside the cell.
-  [[nodiscard]] std::span<std::uint32_t> addLeaf(std::size_t count, const Box3& contents);
+  /// order before anything else is added.
+  [[nodiscard]] std::span<std::uint32_t> addLeaf(std::size_t count);
 
   /// Room for the boxes of what the objects of the leaf that was added last have inside the cell,
-  /// to be filled in the order of the objects. Empty unless boxes are kept.
+  /// to be filled in the order of the objects.
   [[nodiscard]] std::span<Box3> boxesOfLastLeaf() noexcept;
 
   /// Adds a split whose right child is not known yet, and returns where it stands.
@@ -41,16 +36,12 @@ class NodeArray {
   [[nodiscard]] std::vector<std::uint32_t> takeReferences() noexcept {
     return std::move(references_);
   }
-  /// The box of the contents of each leaf, in the order of the leaves.
-  [[nodiscard]] std::vector<Box3> takeLeafBounds() noexcept { return std::move(leafBounds_); }
-  /// The box of each reference, or nothing unless boxes are kept.
+  /// The box of each reference.
   [[nodiscard]] std::vector<Box3> takeBoxes() noexcept { return std::move(boxes_); }
 
  private:
-  bool keepsBoxes_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> references_;
-  std::vector<Box3> leafBounds_;
   std::vector<Box3> boxes_;
 };
 

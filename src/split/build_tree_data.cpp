@@ -37,7 +37,7 @@ void requireValid(const BuildOptions& options) {
   require(isCost(cost.intersectionCost), "cost.intersectionCost is negative or not finite",
           "Give an intersection cost of 0 or more, such as 1.");
   require(isCost(cost.faceCost), "cost.faceCost is negative or not finite",
-          "Give a face cost of 0 or more, such as 0.1875.");
+          "Give a face cost of 0 or more, such as 0.05.");
   require(cost.emptyBonus >= 0.0 && cost.emptyBonus < 1.0, "cost.emptyBonus is out of range",
           "Give an empty bonus from 0 to less than 1, such as 0.2.");
 }
@@ -125,8 +125,7 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     const ClipReferences clip = clipperFor(tree.geometries);
     const BuildOptions effective = optionsFor(tree);
     const TreeBuilder builder(effective, depthLimitFor(options, objects.references.size()), clip);
-    // Where each object is on its own.
-    NodeArray array(!holdsOnlyFaces(tree));
+    NodeArray array;
     const double budget = referenceBudget(options, objects.references.size());
     builder.buildTree(std::move(objects.references), tree.bounds, 1, budget, array);
     clock.end("split");
@@ -137,8 +136,8 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     tree.references.shrink_to_fit();
     clock.end("assemble");
 
-    WideTree wide = widenTree(tree.nodes, array.takeLeafBounds(), array.takeBoxes(), tree.bounds,
-                              packTrianglesOf(tree));
+    FacePacker<T> packer(tree.geometries, centerOfWideTree(tree.bounds));
+    WideTree wide = widenTree(tree.nodes, tree.references, array.takeBoxes(), tree.bounds, packer);
     wide.commonMask = commonMaskOf(tree.geometries);
     tree.wide = std::make_shared<const WideTree>(std::move(wide));
     clock.end("widen");

@@ -15,17 +15,11 @@ namespace {
 constexpr std::size_t kParallelThreshold = 4096;
 
 void addLeaf(const std::vector<Reference>& references, const Box3& cell, NodeArray& tree) {
-  Box3 contents;
-  for (const Reference& reference : references)
-    contents.extend(reference.bounds);
-  const std::span<std::uint32_t> objects =
-      tree.addLeaf(references.size(), intersection(contents, cell));
+  const std::span<std::uint32_t> objects = tree.addLeaf(references.size());
   std::transform(references.begin(), references.end(), objects.begin(),
                  [](const Reference& reference) { return reference.object; });
-  if (tree.keepsBoxes()) {
-    std::transform(references.begin(), references.end(), tree.boxesOfLastLeaf().begin(),
-                   [&](const Reference& r) { return intersection(r.bounds, cell); });
-  }
+  std::transform(references.begin(), references.end(), tree.boxesOfLastLeaf().begin(),
+                 [&](const Reference& reference) { return intersection(reference.bounds, cell); });
 }
 
 }  // namespace
@@ -57,7 +51,7 @@ void TreeBuilder::buildTree(std::vector<Reference> references, const Box3& cell,
               right);
   };
   if (isLarge) {
-    NodeArray right(tree.keepsBoxes());
+    NodeArray right;
     tbb::parallel_invoke(buildLeft, [&] { buildRight(right); });
     tree.beginRightChild(split);
     tree.append(right);

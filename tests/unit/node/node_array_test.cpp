@@ -16,7 +16,7 @@ namespace {
 constexpr Box3 kUnitCube = {.lower = {0, 0, 0}, .upper = {1, 1, 1}};
 
 void addLeaf(NodeArray& array, const std::vector<std::uint32_t>& objects) {
-  const std::span<std::uint32_t> room = array.addLeaf(objects.size(), {});
+  const std::span<std::uint32_t> room = array.addLeaf(objects.size());
   ASSERT_EQ(room.size(), objects.size());
   std::copy(objects.begin(), objects.end(), room.begin());
 }
@@ -143,23 +143,18 @@ TEST(NodeArray, LeavesAnAppendedPartAsItWas) {
   expectLeaf(nodes[2], 1, 1);
 }
 
-TEST(NodeArray, KeepsTheBoxOfEachReferenceIfAsked) {
+TEST(NodeArray, KeepsTheBoxOfEachReference) {
   const auto boxAt = [](float x) { return Box3{{x, 0, 0}, {x + 1, 1, 1}}; };
-  NodeArray outer(true);
+  NodeArray outer;
   addLeaf(outer, {9});
   outer.boxesOfLastLeaf()[0] = boxAt(9);
-  NodeArray part(outer.keepsBoxes());
+  NodeArray part;
   addLeaf(part, {4, 7});
   ASSERT_EQ(part.boxesOfLastLeaf().size(), 2u);
   part.boxesOfLastLeaf()[0] = boxAt(4);
   part.boxesOfLastLeaf()[1] = boxAt(7);
   outer.append(part);
   EXPECT_EQ(outer.takeBoxes(), (std::vector<Box3>{boxAt(9), boxAt(4), boxAt(7)}));
-
-  NodeArray without;
-  addLeaf(without, {1, 2});
-  EXPECT_TRUE(without.boxesOfLastLeaf().empty());
-  EXPECT_TRUE(without.takeBoxes().empty());
 }
 
 }  // namespace

@@ -1,0 +1,155 @@
+#include "node/divide_leaf.hpp"
+
+#include "support/assert.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace planetree::detail {
+namespace {
+
+/// More objects than this are halved without looking for the best cut.
+constexpr std::size_t kMostSwept = 4096;
+
+/// From here on parts are halved, so that cuts of single objects cannot make the tree too deep: a
+/// leaf has less than 2^32 objects.
+constexpr std::size_t kMaxSweptDepth = kMaxLeafDivisions - 32;
+
+float centerAlong(const Box3& box, Axis axis) noexcept {
+  return 0.5f * box.lower[axis] + 0.5f * box.upper[axis];
+}
+
+Axis longestAxis(const Box3& box) noexcept {
+  const Vec3f size = box.size();
+  if (size.x >= size.y && size.x >= size.z)
+    return Axis::X;
+  return size.y >= size.z ? Axis::Y : Axis::Z;
+}
+
+}  // namespace
+
+void LeafDivider::divide(std::span<const Box3> boxes, LeafPacker* packer,
+                         std::uint32_t firstReference, std::vector<Part>& parts,
+                         std::vector<TriangleBlock>& blocks) {
+  boxes_ = boxes;
+  packer_ = packer;
+  firstReference_ = firstReference;
+  places_.resize(boxes.size());
+  std::iota(places_.begin(), places_.end(), 0u);
+  divideRange(0, boxes.size(), 0, parts, blocks);
+}
+
+void LeafDivider::divideRange(std::size_t begin, std::size_t end, std::size_t depth,
+                              std::vector<Part>& parts, std::vector<TriangleBlock>& blocks) {
+  const auto places = std::span(places_).subspan(begin, end - begin);
+  const std::size_t index = parts.size();
+  parts.push_back({.bounds = boundsOf(places)});
+  if (places.empty())
+    return;
+  const std::size_t firstBlock = blocks.size();
+  countBlocks(places, leftCounts_);
+  if (leftCounts_.back() == 1) {
+    if (packer_ != nullptr)
+      blocks.push_back(packer_->pack(places));
+    else
+      parts[index].first = firstReference_ + places.front();
+  } else {
+    PLANETREE_ASSERT(depth < kMaxLeafDivisions);
+    const bool isSwept = places.size() <= kMostSwept && depth < kMaxSweptDepth;
+    const Cut cut = isSwept ? findBestCut(places) : halve(places);
+    parts[index].axis = cut.axis;
+    divideRange(begin, begin + cut.leftCount, depth + 1, parts, blocks);
+    parts[index].right = static_cast<std::uint32_t>(parts.size());
+    divideRange(begin + cut.leftCount, end, depth + 1, parts, blocks);
+  }
+  if (packer_ != nullptr) {
+    parts[index].first = static_cast<std::uint32_t>(firstBlock);
+    parts[index].blockCount = static_cast<std::uint32_t>(blocks.size() - firstBlock);
+  }
+}
+
+LeafDivider::Cut LeafDivider::halve(std::span<std::uint32_t> places) {
+  const Box3 centers = centersOf(places);
+  const Axis axis = longestAxis(centers);
+  if (centers.size()[axis] > 0.0f)
+    sortAlong(axis, places);
+  return {axis, places.size() / 2};
+}
+
+LeafDivider::Cut LeafDivider::findBestCut(std::span<std::uint32_t> places) {
+  const std::size_t count = places.size();
+  const Vec3f spread = centersOf(places).size();
+  Cut best;
+  double bestCost = std::numeric_limits<double>::infinity();
+  std::size_t bestImbalance = 0;
+  order_.assign(places.begin(), places.end());
+  for (const Axis axis : kAxes) {
+    // Without any spread all orders are alike; one of them has to do.
+    if (!(spread[axis] > 0.0f) && (axis != Axis::Z || best.leftCount != 0))
+      continue;
+    sortAlong(axis, order_);
+    countBlocks(order_, leftCounts_);
+    backwards_.assign(order_.rbegin(), order_.rend());
+    countBlocks(backwards_, rightCounts_);
+    rightAreas_.resize(count);
+    Box3 box;
+    for (std::size_t i = count; i-- > 1;) {
+      box.extend(boxes_[order_[i]]);
+      rightAreas_[i] = box.surfaceArea();
+    }
+    box = {};
+    for (std::size_t i = 1; i < count; ++i) {
+      box.extend(boxes_[order_[i - 1]]);
+      const double cost =
+          box.surfaceArea() * leftCounts_[i - 1] + rightAreas_[i] * rightCounts_[count - i - 1];
+      const std::size_t imbalance = std::max(i, count - i);
+      if (cost > bestCost || (cost == bestCost && imbalance >= bestImbalance))
+        continue;
+      if (best.leftCount == 0 || best.axis != axis)
+        bestOrder_ = order_;
+      best = {axis, i};
+      bestCost = cost;
+      bestImbalance = imbalance;
+    }
+  }
+  std::copy(bestOrder_.begin(), bestOrder_.end(), places.begin());
+  return best;
+}
+
+void LeafDivider::sortAlong(Axis axis, std::span<std::uint32_t> places) {
+  keyed_.clear();
+  for (const std::uint32_t place : places)
+    keyed_.emplace_back(centerAlong(boxes_[place], axis), place);
+  std::sort(keyed_.begin(), keyed_.end());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = keyed_[i].second;
+}
+
+void LeafDivider::countBlocks(std::span<const std::uint32_t> places,
+                              std::vector<std::uint32_t>& counts) {
+  counts.resize(places.size());
+  if (packer_ != nullptr)
+    packer_->countBlocks(places, counts);
+  else
+    std::iota(counts.begin(), counts.end(), 1u);
+}
+
+Box3 LeafDivider::boundsOf(std::span<const std::uint32_t> places) const noexcept {
+  Box3 bounds;
+  for (const std::uint32_t place : places)
+    bounds.extend(boxes_[place]);
+  return bounds;
+}
+
+Box3 LeafDivider::centersOf(std::span<const std::uint32_t> places) const noexcept {
+  Box3 centers;
+  for (const std::uint32_t place : places) {
+    const Box3& box = boxes_[place];
+    centers.extend(
+        Vec3f{centerAlong(box, Axis::X), centerAlong(box, Axis::Y), centerAlong(box, Axis::Z)});
+  }
+  return centers;
+}
+
+}  // namespace planetree::detail

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <planetree/geometry/axis.hpp>
+#include <planetree/geometry/box3.hpp>
+
+#include "node/leaf_packer.hpp"
+#include "node/triangle_block.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace planetree::detail {
+
+/// What a wide tree is made of: splits of the binary form, splits of the objects of its leaves, and
+/// what these end in, a block, an object or nothing. Depth first, as the binary form itself.
+struct Part {
+  Box3 bounds = {};              ///< of the contents; empty if there is nothing in it
+  Axis axis = Axis::X;           ///< of a split: the left child lies before the right one along it
+  std::uint32_t right = 0;       ///< of a split: index of its right child, the left one comes next
+  std::uint32_t first = 0;       ///< the first block, or the reference of a single object
+  std::uint32_t blockCount = 0;  ///< blocks that hold all that is in it; 0 if there is no such row
+
+  [[nodiscard]] bool isSplit() const noexcept { return right != 0; }
+};
+
+/// No leaf is divided more often than this, one child after the other.
+inline constexpr std::size_t kMaxLeafDivisions = 48;
+
+/// Divides leaves of the binary form by their objects, until each part is a block or an object.
+class LeafDivider {
+ public:
+  /// Adds the parts of a leaf to `parts` and its blocks to `blocks`. `boxes` has what each object
+  /// has inside the cell; without a packer each object is on its own, and `firstReference` is the
+  /// reference of the first one. Objects stay in one leaf, so the boxes of parts may overlap.
+  ///
+  /// By the surface area heuristic over the centers of the boxes along all axes, where each side
+  /// costs as many tests as it has blocks: MacDonald and Booth, "Heuristics for ray tracing using
+  /// space subdivision", 1990; Wald, "On fast construction of SAH-based bounding volume
+  /// hierarchies", 2007. Here all positions are tried. Very large leaves are halved along their
+  /// longest axis first. O(n log^2 n).
+  void divide(std::span<const Box3> boxes, LeafPacker* packer, std::uint32_t firstReference,
+              std::vector<Part>& parts, std::vector<TriangleBlock>& blocks);
+
+ private:
+  struct Cut {
+    Axis axis = Axis::X;
+    std::size_t leftCount = 0;
+  };
+
+  void divideRange(std::size_t begin, std::size_t end, std::size_t depth, std::vector<Part>& parts,
+                   std::vector<TriangleBlock>& blocks);
+  [[nodiscard]] Cut halve(std::span<std::uint32_t> places);
+  [[nodiscard]] Cut findBestCut(std::span<std::uint32_t> places);
+  void sortAlong(Axis axis, std::span<std::uint32_t> places);
+  void countBlocks(std::span<const std::uint32_t> places, std::vector<std::uint32_t>& counts);
+  [[nodiscard]] Box3 boundsOf(std::span<const std::uint32_t> places) const noexcept;
+  [[nodiscard]] Box3 centersOf(std::span<const std::uint32_t> places) const noexcept;
+
+  std::span<const Box3> boxes_;
+  LeafPacker* packer_ = nullptr;
+  std::uint32_t firstReference_ = 0;
+  std::vector<std::uint32_t> places_;  ///< indices of the boxes, those of each part together
+
+  // Room that is used again.
+  std::vector<std::pair<float, std::uint32_t>> keyed_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> bestOrder_;
+  std::vector<std::uint32_t> backwards_;
+  std::vector<std::uint32_t> leftCounts_;
+  std::vector<std::uint32_t> rightCounts_;
+  std::vector<double> rightAreas_;
+};
+
+}  // namespace planetree::detail
