@@ -108,8 +108,9 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   // As in `ShearedRay`: of axes along which the direction is equally large, the last one.
   query.kz = 31u - static_cast<std::uint32_t>(
                        hwy::Num0BitsAboveMS1Bit_Nonzero32(axesIn(hn::Eq(sizes, largest))));
-  query.kx = query.kz == 2 ? 0 : query.kz + 1;
-  query.ky = query.kz == 0 ? 2 : query.kz - 1;
+  // The axes after kz, in turn, two bits for each: which one it is no branch can foresee.
+  query.kx = 0b00'10'01u >> 2u * query.kz & 3u;
+  query.ky = 0b01'00'10u >> 2u * query.kz & 3u;
   query.directionZ = query.ray[3 + query.kz];
   hn::Store(origin, d, query.origin);
   hn::Store(hn::Div(direction, hn::Set(d, query.directionZ)), d, query.shear);

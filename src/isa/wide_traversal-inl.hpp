@@ -76,10 +76,11 @@ HWY_INLINE std::uint32_t bitsOf(const Mask (&masks)[kVectorCount]) {
 /// Subtrees that were put off, the nearest on top. Room for one node more than can be in use:
 /// pushing always writes whole vectors. The lowest entry ends the search.
 struct Stack {
-  static constexpr std::size_t kCapacity = (kMaxTreeDepth + 1) * kLaneCount;
+  static constexpr std::size_t kCapacity = (kMaxWideDepth + 1) * kLaneCount;
 
   HWY_ALIGN float tNear[kCapacity];
   HWY_ALIGN std::uint32_t children[kCapacity];
+  HWY_ALIGN std::uint32_t ordered[kLaneCount];  ///< children of a node as the ray meets them
 };
 
 /// For each mask of eight lanes, the kept ones first.
@@ -233,15 +234,19 @@ HWY_INLINE std::size_t dropBeyond(float hitT, Stack& stack, std::size_t size) {
   return kept;
 }
 
+/// The highest of the slots that the mask has a bit for; 0 if it has none.
+HWY_INLINE std::size_t highestSlot(std::uint32_t bits) {
+  return 31u - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits | 1u);
+}
+
 /// Pushes the children whose boxes the ray meets, in any order, but for the last of them, which is
-/// returned; without any, what was on top. Not read back from the stack: what comes next then
-/// depends on the tests alone, not on what was just stored.
-HWY_INLINE WideChild pushUnordered(const WideNode& node, const BoxTest& test, Stack& stack,
-                                   std::size_t& size) {
+/// returned; without any, `below`, what was on top. Not read back from the stack: what comes next
+/// then depends on the tests alone, not on what was just stored.
+HWY_INLINE std::uint32_t pushUnordered(const WideNode& node, const BoxTest& test,
+                                       std::uint32_t below, Stack& stack, std::size_t& size) {
   const WordTag words;
   const std::uint32_t bits = findMet(test);
-  const std::uint32_t below = stack.children[size - 1];
-  const std::uint32_t last = childWords(node)[31u - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits | 1u)];
+  const std::uint32_t last = childWords(node)[highestSlot(bits)];
   if constexpr (kVectorCount <= 2) {
     forEachVector([&](auto i) {
       const auto isMet = hn::RebindMask(words, hn::Le(test.tNear.vectors[i], test.tFar.vectors[i]));
@@ -255,22 +260,25 @@ HWY_INLINE WideChild pushUnordered(const WideNode& node, const BoxTest& test, St
       size += bits >> slot & 1u;
     }
   }
-  --size;
-  return WideChild::fromWord(bits != 0 ? last : below);
+  return bits != 0 ? last : below;
 }
 
 /// By how much the words of an order are shifted to unpack them.
 HWY_ALIGN constexpr std::uint32_t kSlotShifts[kLaneCount] = {0,  0,  4,  4,  8,  8,  12, 12,
                                                              16, 16, 20, 20, 24, 24, 28, 28};
 
-/// Pushes the children whose boxes the ray meets so that the nearest comes to lie on top. The order
-/// is that of the cells, which is known beforehand: nothing is sorted, and nothing depends on how
-/// many there are, so that no branch can be mispredicted.
-HWY_INLINE std::size_t pushNearestLast(const WideNode& node, std::uint32_t octant,
-                                       const BoxTest& test, Stack& stack, std::size_t size) {
+/// Pushes the children whose boxes the ray meets so that the nearest comes to lie on top, and
+/// returns it, or `below` if there is none. The order is that of the cells, which is known
+/// beforehand: nothing is sorted, and nothing depends on how many there are, so that no branch can
+/// be mispredicted. The nearest is looked up among all children, which are ordered while the boxes
+/// are still tested: from the stack it would come back only after these.
+HWY_INLINE std::uint32_t pushNearestLast(const WideNode& node, std::uint32_t octant,
+                                         const BoxTest& test, std::uint32_t below, Stack& stack,
+                                         std::size_t& size) {
   const FloatTag d;
   const WordTag words;
   const SlotOrder& order = node.orders[octant];
+  std::uint32_t bits = 0;
   if constexpr (kVectorCount <= 2) {
     // Both words of the order side by side in each pair of lanes: see SlotOrder.
     const hn::Repartition<std::uint64_t, WordTag> longWords;
@@ -279,30 +287,37 @@ HWY_INLINE std::size_t pushNearestLast(const WideNode& node, std::uint32_t octan
     forEachVector([&](auto i) {
       children.vectors[i] = hn::BitCast(d, hn::Load(words, childWords(node) + i * kLanesPerVector));
     });
+    Mask isMet[kVectorCount];
     forEachVector([&](auto i) {
       const Words slots =
           hn::And(hn::Shr(packed, hn::Load(words, kSlotShifts + i * kLanesPerVector)),
                   hn::Set(words, kLaneCount - 1));
-      const Floats tNear = pick(test.tNear, slots);
-      const Mask isMet = hn::Le(tNear, pick(test.tFar, slots));
       const Floats ordered = pick(children, slots);
-      hn::StoreU(keep(d, tNear, isMet), d, stack.tNear + size);
-      hn::StoreU(hn::BitCast(words, keep(d, ordered, isMet)), words, stack.children + size);
-      size += hn::CountTrue(d, isMet);
+      hn::Store(hn::BitCast(words, ordered), words, stack.ordered + i * kLanesPerVector);
+      const Floats tNear = pick(test.tNear, slots);
+      isMet[i] = hn::Le(tNear, pick(test.tFar, slots));
+      hn::StoreU(keep(d, tNear, isMet[i]), d, stack.tNear + size);
+      hn::StoreU(hn::BitCast(words, keep(d, ordered, isMet[i])), words, stack.children + size);
+      size += hn::CountTrue(d, isMet[i]);
     });
+    bits = bitsOf(isMet);
   } else {
     HWY_ALIGN float tNear[kLaneCount];
     forEachVector(
         [&](auto i) { hn::Store(test.tNear.vectors[i], d, tNear + i * kLanesPerVector); });
-    const std::uint32_t bits = findMet(test);
+    const std::uint32_t met = findMet(test);
     for (std::size_t i = 0; i < kLaneCount; ++i) {
       const std::size_t slot = order[i];
       stack.tNear[size] = tNear[slot];
-      stack.children[size] = childWords(node)[slot];
-      size += bits >> slot & 1u;
+      stack.ordered[i] = childWords(node)[slot];
+      stack.children[size] = stack.ordered[i];
+      const std::uint32_t isMet = met >> slot & 1u;
+      size += isMet;
+      bits |= isMet << i;
     }
   }
-  return size;
+  const std::uint32_t nearest = stack.ordered[highestSlot(bits)];
+  return bits != 0 ? nearest : below;
 }
 
 /// The edge functions of sixteen triangles: see triangle_intersection.hpp. Plain multiplications
@@ -318,78 +333,68 @@ class BlockRay {
     greatest_ = HWY_MIN(query.hitT * perUnit, kBeyondAll);
   }
 
-  /// The lanes whose edge functions do not have both signs: those that can be hit, and no others
-  /// but such as have a zero that only exact arithmetic decides; if the candidates are handed over,
-  /// also those whose signs may be wrong because corners are rounded.
+  /// Which lanes of a block may be hit.
+  struct BlockAnswer {
+    std::uint32_t candidates;  ///< nothing but exact arithmetic decides
+    std::uint32_t certain;     ///< surely hit within the interval; known only where any hit will do
+  };
+
+  /// Candidates are the lanes whose edge functions do not have both signs: those that can be hit,
+  /// and no others but such as have a zero that only exact arithmetic decides; if they are handed
+  /// over, also those whose signs may be wrong because corners are rounded.
   ///
-  /// If any hit will do, most of those that are hit outside the interval are left out. It is the
-  /// one that the query began with; and a candidate is likely to be the last one, so that it pays.
+  /// If any hit will do, most of those that are hit outside the interval are left out, and most of
+  /// the others are certain, so that the search is over. The interval is the one that the query
+  /// began with; and a candidate is likely to be the last one, so that it pays.
   template <class Goal>
-  HWY_INLINE std::uint32_t findCandidates(const TriangleBlock& block) const {
-    constexpr bool kTestsDepth = Goal::kStopsAtAnyHit && !Goal::kHandsOver;
+  HWY_INLINE BlockAnswer test(const TriangleBlock& block) const {
     const FloatTag d;
     Lanes x;
     Lanes y;
-    Lanes depth;
+    Lanes z;
     forEachVector([&](auto i) {
       const std::size_t at = i * kLanesPerVector;
-      const Floats z = hn::Sub(hn::Load(d, block.positions[query_.kz] + at),
-                               everywhere(query_.origin[query_.kz]));
+      z.vectors[i] = hn::Sub(hn::Load(d, block.positions[query_.kz] + at),
+                             everywhere(query_.origin[query_.kz]));
       x.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.kx] + at),
                                      everywhere(query_.origin[query_.kx])),
-                             hn::Mul(everywhere(query_.shear[query_.kx]), z));
+                             hn::Mul(everywhere(query_.shear[query_.kx]), z.vectors[i]));
       y.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.ky] + at),
                                      everywhere(query_.origin[query_.ky])),
-                             hn::Mul(everywhere(query_.shear[query_.ky]), z));
-      if constexpr (kTestsDepth)
-        depth.vectors[i] = hn::Mul(z, everywhere(depthPerZ_));
+                             hn::Mul(everywhere(query_.shear[query_.ky]), z.vectors[i]));
     });
+    Edges edges[kVectorCount];
     Mask isCandidate[kVectorCount];
     forEachVector([&](auto i) {
+      Edges& e = edges[i];
       const Words a = cornersOf(block, 0, i);
       const Words b = cornersOf(block, 1, i);
       const Words c = cornersOf(block, 2, i);
-      const Floats ax = pick(x, a);
-      const Floats ay = pick(y, a);
-      const Floats bx = pick(x, b);
-      const Floats by = pick(y, b);
-      const Floats cx = pick(x, c);
-      const Floats cy = pick(y, c);
-      const Floats u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-      const Floats v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-      const Floats w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-      const Floats zero = hn::Zero(d);
-      const Floats least = hn::Min(hn::Min(u, v), w);
-      const Floats greatest = hn::Max(hn::Max(u, v), w);
+      e.ax = pick(x, a);
+      e.ay = pick(y, a);
+      e.bx = pick(x, b);
+      e.by = pick(y, b);
+      e.cx = pick(x, c);
+      e.cy = pick(y, c);
+      e.u = hn::Sub(hn::Mul(e.cx, e.by), hn::Mul(e.cy, e.bx));
+      e.v = hn::Sub(hn::Mul(e.ax, e.cy), hn::Mul(e.ay, e.cx));
+      e.w = hn::Sub(hn::Mul(e.bx, e.ay), hn::Mul(e.by, e.ax));
+      const Floats least = hn::Min(hn::Min(e.u, e.v), e.w);
+      const Floats greatest = hn::Max(hn::Max(e.u, e.v), e.w);
       if constexpr (Goal::kHandsOver) {
-        const Floats slack = slackOfEdges(ax, ay, bx, by, cx, cy);
+        const Floats slack = slackOf(e);
         isCandidate[i] = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(greatest, slack));
       } else {
+        const Floats zero = hn::Zero(d);
         isCandidate[i] = hn::Or(hn::Ge(least, zero), hn::Le(greatest, zero));
       }
-      if constexpr (kTestsDepth) {
-        // Of the squares, not of the edge functions: their errors grow with these.
-        const Floats squares = hn::MulAdd(
-            ax, ax,
-            hn::MulAdd(
-                bx, bx,
-                hn::MulAdd(cx, cx, hn::MulAdd(ay, ay, hn::MulAdd(by, by, hn::Mul(cy, cy))))));
-        const Floats slack = hn::MulAdd(squares, hn::Set(d, kDepthSlack), hn::Set(d, kTiniest));
-        const Floats uSize = hn::Abs(u);
-        const Floats vSize = hn::Abs(v);
-        const Floats wSize = hn::Abs(w);
-        const Floats sum = hn::Add(hn::Add(uSize, vSize), wSize);
-        const Floats weighted =
-            hn::MulAdd(uSize, pick(depth, a),
-                       hn::MulAdd(vSize, pick(depth, b), hn::Mul(wSize, pick(depth, c))));
-        const Mask isBehindStart =
-            hn::Ge(hn::Add(weighted, slack), hn::Mul(sum, everywhere(least_)));
-        const Mask isBeforeEnd =
-            hn::Le(hn::Sub(weighted, slack), hn::Mul(sum, everywhere(greatest_)));
-        isCandidate[i] = hn::And(isCandidate[i], hn::And(isBehindStart, isBeforeEnd));
-      }
     });
-    return bitsOf(isCandidate) & block.usedLanes;
+    BlockAnswer lanes = {bitsOf(isCandidate) & block.usedLanes, 0};
+    if constexpr (Goal::kStopsAtAnyHit && !Goal::kHandsOver) {
+      if (lanes.candidates != 0)
+        testDepths(block, z, edges, lanes);
+    }
+    return lanes;
   }
 
  private:
@@ -397,13 +402,60 @@ class BlockRay {
   static constexpr float kDepthSlack = 16.0f * 0x1p-24f;
   static constexpr float kTiniest = 0x1p-120f;
 
+  /// The sheared corners of triangles, and their edge functions.
+  struct Edges {
+    HWY_INLINE Edges() {}
+
+    Floats ax, ay, bx, by, cx, cy;
+    Floats u, v, w;
+  };
+
+  /// Takes from the candidates what is hit outside the interval, and finds those that are surely
+  /// hit within: docs/numerics.md, section 3.
+  HWY_INLINE void testDepths(const TriangleBlock& block, const Lanes& z,
+                             const Edges (&edges)[kVectorCount], BlockAnswer& lanes) const {
+    const FloatTag d;
+    Lanes depth;
+    forEachVector(
+        [&](auto i) { depth.vectors[i] = hn::Mul(z.vectors[i], everywhere(depthPerZ_)); });
+    Mask isPossible[kVectorCount];
+    Mask isCertain[kVectorCount];
+    forEachVector([&](auto i) {
+      const Edges& e = edges[i];
+      // Of the squares, not of the edge functions: their errors grow with these.
+      const Floats squares =
+          hn::Add(hn::MulAdd(e.ax, e.ax, hn::MulAdd(e.bx, e.bx, hn::Mul(e.cx, e.cx))),
+                  hn::MulAdd(e.ay, e.ay, hn::MulAdd(e.by, e.by, hn::Mul(e.cy, e.cy))));
+      const Floats slack = hn::MulAdd(squares, hn::Set(d, kDepthSlack), hn::Set(d, kTiniest));
+      const Floats u = hn::Abs(e.u);
+      const Floats v = hn::Abs(e.v);
+      const Floats w = hn::Abs(e.w);
+      const Floats sum = hn::Add(hn::Add(u, v), w);
+      const Floats weighted =
+          hn::MulAdd(u, pick(depth, cornersOf(block, 0, i)),
+                     hn::MulAdd(v, pick(depth, cornersOf(block, 1, i)),
+                                hn::Mul(w, pick(depth, cornersOf(block, 2, i)))));
+      const Floats start = hn::Mul(sum, everywhere(least_));
+      const Floats end = hn::Mul(sum, everywhere(greatest_));
+      const Floats earliest = hn::Sub(weighted, slack);
+      const Floats latest = hn::Add(weighted, slack);
+      isPossible[i] = hn::And(hn::Ge(latest, start), hn::Le(earliest, end));
+      // Of edge functions that are not zero the signs are right, and those of the test in double.
+      const Floats zero = hn::Zero(d);
+      const Mask haveOneSign = hn::Or(hn::Gt(hn::Min(hn::Min(e.u, e.v), e.w), zero),
+                                      hn::Lt(hn::Max(hn::Max(e.u, e.v), e.w), zero));
+      isCertain[i] = hn::And(haveOneSign, hn::And(hn::Ge(earliest, start), hn::Le(latest, end)));
+    });
+    lanes.candidates &= bitsOf(isPossible);
+    lanes.certain = lanes.candidates & bitsOf(isCertain);
+  }
+
   /// How large an edge function of rounded corners may be and still have the wrong sign:
   /// docs/numerics.md, section 3.
-  HWY_INLINE Floats slackOfEdges(Floats ax, Floats ay, Floats bx, Floats by, Floats cx,
-                                 Floats cy) const {
-    const Floats a = hn::Max(hn::Abs(ax), hn::Abs(ay));
-    const Floats b = hn::Max(hn::Abs(bx), hn::Abs(by));
-    const Floats c = hn::Max(hn::Abs(cx), hn::Abs(cy));
+  HWY_INLINE Floats slackOf(const Edges& e) const {
+    const Floats a = hn::Max(hn::Abs(e.ax), hn::Abs(e.ay));
+    const Floats b = hn::Max(hn::Abs(e.bx), hn::Abs(e.by));
+    const Floats c = hn::Max(hn::Abs(e.cx), hn::Abs(e.cy));
     return hn::Mul(hn::Max(hn::Max(a, b), c), hn::Set(FloatTag(), query_.edgeSlack));
   }
 
@@ -524,6 +576,7 @@ HWY_INLINE void prefetchNext(const WideQuery& query, const Stack& stack, std::si
 enum class Pause {
   Candidates,  ///< there may be hits in a block
   Object,      ///< an object is to be tested that is in no block
+  Hit,         ///< there is a hit, and any will do
   End          ///< the query is answered
 };
 
@@ -559,7 +612,10 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
   while (true) {
     for (; restCount > 0; --restCount) {
       ++block;
-      std::uint32_t lanes = blockRay.findCandidates<Goal>(*block);
+      const auto answer = blockRay.test<Goal>(*block);
+      if (answer.certain != 0)
+        return Pause::Hit;
+      std::uint32_t lanes = answer.candidates;
       if (lanes != 0 && !Goal::kStopsAtAnyHit)
         lanes &= ~lanesOf(*block, query.hitObject);
       if (lanes != 0) {
@@ -575,14 +631,13 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
       if (query.isLargeTree)
         prefetchNext(query, stack, size);
       const WideNode& node = query.nodes[child.nodeIndex()];
+      const std::uint32_t below = stack.children[size - 1];
       BoxTest test;
       boxRay.test(node, tMax, test);
-      if constexpr (Goal::kStopsAtAnyHit) {
-        child = pushUnordered(node, test, stack, size);
-      } else {
-        size = pushNearestLast(node, query.octant, test, stack, size);
-        child = WideChild::fromWord(stack.children[--size]);
-      }
+      child = WideChild::fromWord(
+          Goal::kStopsAtAnyHit ? pushUnordered(node, test, below, stack, size)
+                               : pushNearestLast(node, query.octant, test, below, stack, size));
+      --size;
     }
     if (child.isObject()) {
       progress.size = size;
@@ -607,6 +662,8 @@ bool search(WideQuery& query) noexcept {
   while (true) {
     const float end = query.hitT;
     const Pause pause = walk<Goal>(query, progress);
+    if (Goal::kStopsAtAnyHit && pause == Pause::Hit)
+      return true;
     if (pause == Pause::End)
       return progress.found;
     if (pause == Pause::Object)

@@ -4,7 +4,7 @@
 #include <planetree/geometry/box3.hpp>
 
 #include "node/leaf_packer.hpp"
-#include "node/triangle_block.hpp"
+#include "node/wide_node.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -26,10 +26,8 @@ struct Part {
   [[nodiscard]] bool isSplit() const noexcept { return right != 0; }
 };
 
-/// No leaf is divided more often than this, one child after the other.
-inline constexpr std::size_t kMaxLeafDivisions = 48;
-
-/// Divides leaves of the binary form by their objects, until each part is a block or an object.
+/// Divides leaves of the binary form by their objects, until each part is a block or an object, no
+/// more than `kMaxLeafDivisions` times one after the other.
 class LeafDivider {
  public:
   /// Adds the parts of a leaf to `parts` and its blocks to `blocks`. `boxes` has what each object

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planetree/geometry/vec3.hpp>
+#include <planetree/node/node_layout.hpp>
 
 #include "node/triangle_block.hpp"
 
@@ -13,6 +14,13 @@
 /// speed. Its cells are those of the binary form, so they do not overlap and are met front to back;
 /// each carries the box of what it contains, which is tighter than the cell.
 namespace planetree::detail {
+
+/// No leaf of the binary form is divided more often than this, one part after the other.
+inline constexpr std::size_t kMaxLeafDivisions = 48;
+
+/// No path through a wide tree has more nodes: each of them holds at least one split, of a cell or
+/// of the objects of a leaf.
+inline constexpr std::size_t kMaxWideDepth = kMaxTreeDepth + kMaxLeafDivisions;
 
 /// What a slot of a wide node leads to, in one word.
 class WideChild {
