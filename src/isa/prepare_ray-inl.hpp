@@ -42,8 +42,8 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
     const auto a = static_cast<std::size_t>(axis);
     ray.origin[axis] = query.ray[a];
     ray.direction[axis] = query.ray[3 + a];
-    bounds.lower[axis] = query.frame->center[a] - query.frame->halfSize[a];
-    bounds.upper[axis] = query.frame->center[a] + query.frame->halfSize[a];
+    bounds.lower[axis] = query.tree.frame.center[a] - query.tree.frame.halfSize[a];
+    bounds.upper[axis] = query.tree.frame.center[a] + query.tree.frame.halfSize[a];
   }
   const PreparedRay<float> prepared(ray, bounds);
   const ShearedRay<float>& sheared = prepared.sheared;
@@ -61,7 +61,7 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   for (const Axis axis : kAxes) {
     const auto a = static_cast<std::size_t>(axis);
     const AxisRay<float>& along = prepared.along(axis);
-    const float offset = (query.frame->center[a] - along.origin) * along.inverseDirection;
+    const float offset = (query.tree.frame.center[a] - along.origin) * along.inverseDirection;
     query.origin[a] = along.origin;
     query.inverse[a] = along.inverseDirection;
     query.nearOffset[a] = offset - along.slack;
@@ -91,10 +91,10 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   const auto isAxis = hn::FirstN(d, 3);
   const Axes origin = hn::LoadU(d, query.ray);
   const Axes direction = hn::LoadU(d, query.ray + 3);
-  const Axes toCenter = hn::Sub(hn::Load(d, query.frame->center), origin);
+  const Axes toCenter = hn::Sub(hn::Load(d, query.tree.frame.center), origin);
   const Axes sizes = hn::IfThenElseZero(isAxis, hn::Abs(direction));
-  const Axes distances =
-      hn::IfThenElseZero(isAxis, hn::Add(hn::Abs(toCenter), hn::Load(d, query.frame->halfSize)));
+  const Axes distances = hn::IfThenElseZero(
+      isAxis, hn::Add(hn::Abs(toCenter), hn::Load(d, query.tree.frame.halfSize)));
   const Axes largest = hn::MaxOfLanes(d, sizes);
   const Axes reach = hn::MaxOfLanes(d, distances);
   query.reach = hn::GetLane(reach);

@@ -15,7 +15,7 @@ struct WideKernels {
   bool (*findNearest)(WideQuery& query) noexcept;
   /// True if there is any hit with t from `tMin` to `hitT`.
   bool (*findAny)(WideQuery& query) noexcept;
-  /// The same for queries that decide for themselves: `WideQuery::testCandidates` is handed the
+  /// The same for queries that decide for themselves: `WideTests::testCandidates` is handed the
   /// triangles that the ray may hit, and keeps the hit.
   bool (*handOverForNearest)(WideQuery& query) noexcept;
   bool (*handOverForAny)(WideQuery& query) noexcept;

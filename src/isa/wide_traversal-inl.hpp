@@ -556,7 +556,7 @@ HWY_INLINE bool handOverCandidates(WideQuery& query, const TriangleBlock& block,
     candidates.objects[candidates.count] = block.objects[lane];
     candidates.earliest[candidates.count++] = bounds.lower;
   }
-  return candidates.count != 0 && query.testCandidates(query, candidates);
+  return candidates.count != 0 && query.tests.testCandidates(query, candidates);
 }
 
 /// Fetches the node on top of the stack, which comes next if nothing is found before: the cells of
@@ -565,7 +565,7 @@ HWY_INLINE void prefetchNext(const WideQuery& query, const Stack& stack, std::si
   const WideChild next = WideChild::fromWord(stack.children[size - 1]);
   if (!next.isNode())
     return;
-  const WideNode& node = query.nodes[next.nodeIndex()];
+  const WideNode& node = query.tree.nodes.data()[next.nodeIndex()];
   for (const auto& planes : node.planes)
     hwy::Prefetch(planes);
   hwy::Prefetch(node.children.data());
@@ -605,6 +605,8 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
   const WideRay boxRay(query);
   const BlockRay blockRay(query);
   const Floats tMax = hn::Set(FloatTag(), query.hitT);
+  const WideNode* const nodes = query.tree.nodes.data();
+  const TriangleBlock* const blocks = query.tree.blocks.data();
   Stack& stack = progress.stack;
   std::size_t size = progress.size;
   const TriangleBlock* block = progress.block;
@@ -628,9 +630,9 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
     }
     WideChild child = WideChild::fromWord(stack.children[--size]);
     while (child.isNode()) {
-      if (query.isLargeTree)
+      if (query.tree.isLarge)
         prefetchNext(query, stack, size);
-      const WideNode& node = query.nodes[child.nodeIndex()];
+      const WideNode& node = nodes[child.nodeIndex()];
       const std::uint32_t below = stack.children[size - 1];
       BoxTest test;
       boxRay.test(node, tMax, test);
@@ -645,7 +647,7 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
       progress.object = child;
       return child.isEnd() ? Pause::End : Pause::Object;
     }
-    block = query.blocks + child.firstBlock() - 1;
+    block = blocks + child.firstBlock() - 1;
     restCount = child.blockCount();
   }
 }
@@ -658,7 +660,7 @@ bool search(WideQuery& query) noexcept {
   }
   Progress progress;
   progress.push(-std::numeric_limits<float>::infinity(), WideChild::end());
-  progress.push(query.tMin, query.root);
+  progress.push(query.tMin, query.tree.root);
   while (true) {
     const float end = query.hitT;
     const Pause pause = walk<Goal>(query, progress);
@@ -667,7 +669,7 @@ bool search(WideQuery& query) noexcept {
     if (pause == Pause::End)
       return progress.found;
     if (pause == Pause::Object)
-      progress.found |= query.testObject(query, progress.object.reference());
+      progress.found |= query.tests.testObject(query, progress.object.reference());
     else if constexpr (Goal::kHandsOver)
       progress.found |= handOverCandidates(query, *progress.block, progress.lanes);
     else
@@ -681,7 +683,7 @@ bool search(WideQuery& query) noexcept {
 
 struct Nearest {
   static constexpr bool kStopsAtAnyHit = false;
-  static constexpr bool kHandsOver = false;  ///< whether `WideQuery::testCandidates` decides
+  static constexpr bool kHandsOver = false;  ///< whether `WideTests::testCandidates` decides
 };
 struct Any {
   static constexpr bool kStopsAtAnyHit = true;

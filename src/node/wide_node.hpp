@@ -129,6 +129,8 @@ struct WideTree {
   WideFrame frame = {};
   std::uint32_t commonMask = 0;  ///< what the masks of all geometries have in common
   WideChild root = {};
+  bool isLarge =
+      false;  ///< nodes are so many that they are often far away, and worth fetching ahead
   std::vector<WideNode> nodes = {};
   std::vector<TriangleBlock> blocks = {};
 };

@@ -18,6 +18,9 @@ namespace planetree::detail {
 namespace {
 
 constexpr std::size_t kSlotCount = WideNode::kSlotCount;
+/// Sixteen megabytes of nodes, about what a thread has of a large cache. In smaller trees fetching
+/// ahead costs as much as it saves.
+constexpr std::size_t kLargeNodeCount = 32'768;
 constexpr std::size_t kNoChild = std::numeric_limits<std::size_t>::max();
 
 // In terms of the test of a node, which takes as long as that of a block.
@@ -344,6 +347,7 @@ WideTree widenTree(std::span<const Node> nodes, std::span<const std::uint32_t> r
                                               middle - static_cast<double>(bounds.lower[axis])));
   }
   Widener(nodes, references, boxes, tree).run(packer);
+  tree.isLarge = tree.nodes.size() > kLargeNodeCount;
   settle(tree.nodes);
   settle(tree.blocks);
   return tree;

@@ -72,8 +72,8 @@ bool WideQuery::prepare(const PreparedRay<double>& prepared) noexcept {
   const double largestComponent = std::fabs(sheared.ray.direction[sheared.kz]);
   Vec3d fromCenter = sheared.ray.origin;
   for (const Axis axis : kAxes)
-    fromCenter[axis] -= static_cast<double>(frame->center[static_cast<std::size_t>(axis)]);
-  const double distance = reachFrom(fromCenter, *frame);
+    fromCenter[axis] -= static_cast<double>(tree.frame.center[static_cast<std::size_t>(axis)]);
+  const double distance = reachFrom(fromCenter, tree.frame);
   // False for NaN.
   const bool isInRange = largestComponent >= kSmallestDirection &&
                          largestComponent <= kLargestDirection && distance >= kSmallestReach &&
