@@ -25,9 +25,9 @@ struct ShearedCorner {
 
 HWY_INLINE ShearedCorner shearCorner(const WideQuery& query, const TriangleBlock& block,
                                      std::size_t i) {
-  const float z = block.positions[query.kz][i] - query.origin[query.kz];
-  return {block.positions[query.kx][i] - query.origin[query.kx] - query.shear[query.kx] * z,
-          block.positions[query.ky][i] - query.origin[query.ky] - query.shear[query.ky] * z, z};
+  const float z = block.positions[query.axes[2]][i] - query.origin[2];
+  return {block.positions[query.axes[0]][i] - query.origin[0] - query.shear[0] * z,
+          block.positions[query.axes[1]][i] - query.origin[1] - query.shear[1] * z, z};
 }
 
 /// Where a ray meets a triangle with rounded corners, if it does: t lies in between. Such bounds
@@ -58,9 +58,9 @@ HWY_INLINE float magnitude(float x) {
 /// From the corners alone: the hit is no nearer than all of them, and no farther.
 HWY_INLINE DistanceBounds boundByCorners(const WideQuery& query, const TriangleBlock& block,
                                          std::size_t lane) {
-  const float inverse = query.inverse[query.kz];
+  const float inverse = query.inverse[query.axes[2]];
   const auto distance = [&](std::size_t corner) {
-    return (block.positions[query.kz][block.corners[corner][lane]] - query.origin[query.kz]) *
+    return (block.positions[query.axes[2]][block.corners[corner][lane]] - query.origin[2]) *
            inverse;
   };
   const float a = distance(0);
@@ -89,7 +89,7 @@ HWY_INLINE DistanceBounds boundByWeights(const WideQuery& query, const TriangleB
   };
   const float reach = larger(larger(size(a), size(b)), size(c)) + 0.0625f * query.edgeSlack;
   const float depth = larger(magnitude(toB), magnitude(toC));
-  const float inverse = query.inverse[query.kz];
+  const float inverse = query.inverse[query.axes[2]];
   // Divided first: then nothing that counts can underflow.
   const float slackOfWeights = 8.0f * (reach / magnitude(sum)) * depth;
   const float slack = query.edgeSlack * (0.5f + slackOfWeights) * magnitude(inverse);

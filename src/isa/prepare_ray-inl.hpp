@@ -31,6 +31,12 @@ HWY_INLINE bool isInRange(float length, float reach) {
   return length >= kSmallest && length <= kLargest && reach >= kSmallest && reach <= kLargest;
 }
 
+/// The number of the highest bit that is set, of which there must be one. Written so that compilers
+/// see the instruction behind it.
+HWY_INLINE std::uint32_t highestBit(std::uint32_t bits) {
+  return 31u ^ static_cast<std::uint32_t>(hwy::Num0BitsAboveMS1Bit_Nonzero32(bits));
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
 /// Fills in what depends on the ray. False if its numbers are so large or small that the tests of
@@ -52,17 +58,18 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   if (!prepared.isValid() || !isInRange(std::fabs(query.directionZ), query.reach))
     return false;
 
-  query.kx = static_cast<std::uint32_t>(sheared.kx);
-  query.ky = static_cast<std::uint32_t>(sheared.ky);
-  query.kz = static_cast<std::uint32_t>(sheared.kz);
-  query.shear[query.kx] = sheared.shearX;
-  query.shear[query.ky] = sheared.shearY;
+  const Axis axes[3] = {sheared.kx, sheared.ky, sheared.kz};
+  for (std::size_t i = 0; i < 3; ++i) {
+    query.axes[i] = static_cast<std::uint32_t>(axes[i]);
+    query.origin[i] = ray.origin[axes[i]];
+  }
+  query.shear[0] = sheared.shearX;
+  query.shear[1] = sheared.shearY;
   query.octant = 0;
   for (const Axis axis : kAxes) {
     const auto a = static_cast<std::size_t>(axis);
     const AxisRay<float>& along = prepared.along(axis);
     const float offset = (query.tree.frame.center[a] - along.origin) * along.inverseDirection;
-    query.origin[a] = along.origin;
     query.inverse[a] = along.inverseDirection;
     query.nearOffset[a] = offset - along.slack;
     query.farOffset[a] = offset + along.slack;
@@ -106,14 +113,19 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
     return false;
 
   // As in `ShearedRay`: of axes along which the direction is equally large, the last one.
-  query.kz = 31u - static_cast<std::uint32_t>(
-                       hwy::Num0BitsAboveMS1Bit_Nonzero32(axesIn(hn::Eq(sizes, largest))));
-  // The axes after kz, in turn, two bits for each: which one it is no branch can foresee.
-  query.kx = 0b00'10'01u >> 2u * query.kz & 3u;
-  query.ky = 0b01'00'10u >> 2u * query.kz & 3u;
-  query.directionZ = query.ray[3 + query.kz];
-  hn::Store(origin, d, query.origin);
-  hn::Store(hn::Div(direction, hn::Set(d, query.directionZ)), d, query.shear);
+  const std::uint32_t kz = highestBit(axesIn(hn::Eq(sizes, largest)));
+  // The axes after it, in turn, two bits for each: which one it is no branch can foresee.
+  const std::uint32_t kx = 0b00'10'01u >> 2u * kz & 3u;
+  const std::uint32_t ky = 0b01'00'10u >> 2u * kz & 3u;
+  query.axes[0] = kx;
+  query.axes[1] = ky;
+  query.axes[2] = kz;
+  query.origin[0] = query.ray[kx];
+  query.origin[1] = query.ray[ky];
+  query.origin[2] = query.ray[kz];
+  query.directionZ = query.ray[3 + kz];
+  query.shear[0] = query.ray[3 + kx] / query.directionZ;
+  query.shear[1] = query.ray[3 + ky] / query.directionZ;
 
   const Axes smallest = hn::Mul(largest, hn::Set(d, kNearParallel<float>));
   const Axes component = hn::CopySign(hn::Max(sizes, smallest), direction);

@@ -62,14 +62,20 @@ struct Lanes {
   Floats vectors[kVectorCount];
 };
 
+/// One bit for each lane.
+HWY_INLINE std::uint32_t bitsOf(Mask mask) {
+#if HWY_TARGET == HWY_AVX3
+  // Through memory, as Highway hands them out, they would come several cycles later.
+  return mask.raw;
+#else
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(FloatTag(), mask, bytes);
+  return bytes[0] | std::uint32_t{bytes[1]} << 8u;
+#endif
+}
 HWY_INLINE std::uint32_t bitsOf(const Mask (&masks)[kVectorCount]) {
   std::uint32_t all = 0;
-  forEachVector([&](auto i) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(FloatTag(), masks[i], bytes);
-    const std::uint32_t bits = bytes[0] | std::uint32_t{bytes[1]} << 8u;
-    all |= bits << (i * kLanesPerVector);
-  });
+  forEachVector([&](auto i) { all |= bitsOf(masks[i]) << (i * kLanesPerVector); });
   return all;
 }
 
@@ -236,7 +242,7 @@ HWY_INLINE std::size_t dropBeyond(float hitT, Stack& stack, std::size_t size) {
 
 /// The highest of the slots that the mask has a bit for; 0 if it has none.
 HWY_INLINE std::size_t highestSlot(std::uint32_t bits) {
-  return 31u - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits | 1u);
+  return highestBit(bits | 1u);
 }
 
 /// Pushes the children whose boxes the ray meets, in any order, but for the last of them, which is
@@ -324,7 +330,11 @@ HWY_INLINE std::uint32_t pushNearestLast(const WideNode& node, std::uint32_t oct
 /// and subtractions only, so that each is rounded as it is in the test of a single triangle.
 class BlockRay {
  public:
-  explicit HWY_INLINE BlockRay(const WideQuery& query) : query_(query) {
+  explicit HWY_INLINE BlockRay(const WideQuery& query)
+      : query_(query),
+        rows_{query.axes[0] * TriangleBlock::kPositionCount,
+              query.axes[1] * TriangleBlock::kPositionCount,
+              query.axes[2] * TriangleBlock::kPositionCount} {
     // In parts of twice the largest t of a corner: nothing here over- or underflows.
     constexpr float kBeyondAll = 2.0f;
     const float perUnit = std::fabs(query.directionZ) / (2.0f * query.reach);
@@ -354,14 +364,13 @@ class BlockRay {
     Lanes z;
     forEachVector([&](auto i) {
       const std::size_t at = i * kLanesPerVector;
-      z.vectors[i] = hn::Sub(hn::Load(d, block.positions[query_.kz] + at),
-                             everywhere(query_.origin[query_.kz]));
-      x.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.kx] + at),
-                                     everywhere(query_.origin[query_.kx])),
-                             hn::Mul(everywhere(query_.shear[query_.kx]), z.vectors[i]));
-      y.vectors[i] = hn::Sub(hn::Sub(hn::Load(d, block.positions[query_.ky] + at),
-                                     everywhere(query_.origin[query_.ky])),
-                             hn::Mul(everywhere(query_.shear[query_.ky]), z.vectors[i]));
+      const auto fromOrigin = [&](std::size_t axis) {
+        return hn::Sub(hn::Load(d, &block.positions[0][0] + rows_[axis] + at),
+                       everywhere(query_.origin[axis]));
+      };
+      z.vectors[i] = fromOrigin(2);
+      x.vectors[i] = hn::Sub(fromOrigin(0), hn::Mul(everywhere(query_.shear[0]), z.vectors[i]));
+      y.vectors[i] = hn::Sub(fromOrigin(1), hn::Mul(everywhere(query_.shear[1]), z.vectors[i]));
     });
     Edges edges[kVectorCount];
     Mask isCandidate[kVectorCount];
@@ -471,6 +480,7 @@ class BlockRay {
   static HWY_INLINE Floats everywhere(float number) { return hn::Set(FloatTag(), number); }
 
   const WideQuery& query_;
+  std::size_t rows_[3];  ///< where the positions along the sheared axes stand
   float depthPerZ_, least_, greatest_;
 };
 
@@ -561,15 +571,16 @@ HWY_INLINE bool handOverCandidates(WideQuery& query, const TriangleBlock& block,
 
 /// Fetches the node on top of the stack, which comes next if nothing is found before: the cells of
 /// a ray follow each other, so that it is likely to be wanted, and far away in a large tree.
-HWY_INLINE void prefetchNext(const WideQuery& query, const Stack& stack, std::size_t size) {
+HWY_INLINE void prefetchNext(const WideNode* nodes, std::uint32_t octant, const Stack& stack,
+                             std::size_t size) {
   const WideChild next = WideChild::fromWord(stack.children[size - 1]);
   if (!next.isNode())
     return;
-  const WideNode& node = query.tree.nodes.data()[next.nodeIndex()];
+  const WideNode& node = nodes[next.nodeIndex()];
   for (const auto& planes : node.planes)
     hwy::Prefetch(planes);
   hwy::Prefetch(node.children.data());
-  hwy::Prefetch(&node.orders[query.octant]);
+  hwy::Prefetch(&node.orders[octant]);
 }
 
 /// Why a walk through the tree pauses.
@@ -607,6 +618,7 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
   const Floats tMax = hn::Set(FloatTag(), query.hitT);
   const WideNode* const nodes = query.tree.nodes.data();
   const TriangleBlock* const blocks = query.tree.blocks.data();
+  const bool isLarge = query.tree.isLarge;
   Stack& stack = progress.stack;
   std::size_t size = progress.size;
   const TriangleBlock* block = progress.block;
@@ -630,8 +642,8 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
     }
     WideChild child = WideChild::fromWord(stack.children[--size]);
     while (child.isNode()) {
-      if (query.tree.isLarge)
-        prefetchNext(query, stack, size);
+      if (isLarge)
+        prefetchNext(nodes, query.octant, stack, size);
       const WideNode& node = nodes[child.nodeIndex()];
       const std::uint32_t below = stack.children[size - 1];
       BoxTest test;

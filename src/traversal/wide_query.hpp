@@ -53,14 +53,11 @@ struct WideQuery {
   std::uint32_t hitLane;
   double hitWeights[3];  ///< of the corners, not divided by their sum
 
-  // --- the ray as the triangles see it ---
-  std::uint32_t kx;  ///< the axes, permuted as in `ShearedRay`
-  std::uint32_t ky;
-  std::uint32_t kz;
+  // --- the ray as the triangles see it: along the axes kx, ky, kz of `ShearedRay` ---
+  std::uint32_t axes[3];
+  float origin[3];
+  float shear[2];
   float directionZ;
-  // One number more than there are axes: four are computed as fast as three.
-  alignas(16) float origin[4];
-  alignas(16) float shear[4];  ///< along kx and ky
   /// An edge function of rounded corners that is no larger than this times their largest sheared
   /// coordinate may have the wrong sign. Corners in float are not rounded.
   float edgeSlack = 0.0f;

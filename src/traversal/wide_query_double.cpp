@@ -35,13 +35,13 @@ double reachFrom(const Vec3d& origin, const WideFrame& frame) noexcept {
 
 void prepareForBlocks(const ShearedRay<double>& sheared, const Vec3d& origin, double distance,
                       WideQuery& query) noexcept {
-  query.kx = static_cast<std::uint32_t>(sheared.kx);
-  query.ky = static_cast<std::uint32_t>(sheared.ky);
-  query.kz = static_cast<std::uint32_t>(sheared.kz);
-  for (const Axis axis : kAxes)
-    query.origin[static_cast<std::size_t>(axis)] = static_cast<float>(origin[axis]);
-  query.shear[query.kx] = static_cast<float>(sheared.shearX);
-  query.shear[query.ky] = static_cast<float>(sheared.shearY);
+  const Axis axes[3] = {sheared.kx, sheared.ky, sheared.kz};
+  for (std::size_t i = 0; i < 3; ++i) {
+    query.axes[i] = static_cast<std::uint32_t>(axes[i]);
+    query.origin[i] = static_cast<float>(origin[axes[i]]);
+  }
+  query.shear[0] = static_cast<float>(sheared.shearX);
+  query.shear[1] = static_cast<float>(sheared.shearY);
   query.directionZ = static_cast<float>(sheared.ray.direction[sheared.kz]);
   query.edgeSlack = static_cast<float>(kEdgeSlackInRoundoffs * kRoundoffOfFloat * distance);
 }
