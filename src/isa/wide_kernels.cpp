@@ -70,16 +70,13 @@ std::span<const WideKernels> supportedWideKernels() noexcept {
   return {supported.kernels.data(), supported.count};
 }
 
-const WideKernels& wideKernels() noexcept {
-  static const WideKernels& chosen = []() -> const WideKernels& {
-    const std::string_view wanted = requestedInstructionSet();
-    for (const WideKernels& kernels : supportedWideKernels()) {
-      if (kernels.name == wanted)
-        return kernels;
-    }
-    return supportedWideKernels().front();
-  }();
-  return chosen;
+const WideKernels& chooseWideKernels() noexcept {
+  const std::string_view wanted = requestedInstructionSet();
+  for (const WideKernels& kernels : supportedWideKernels()) {
+    if (kernels.name == wanted)
+      return kernels;
+  }
+  return supportedWideKernels().front();
 }
 
 }  // namespace planetree::detail

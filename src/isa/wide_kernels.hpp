@@ -24,8 +24,13 @@ struct WideKernels {
 /// Those that this machine can run, the best one first.
 [[nodiscard]] std::span<const WideKernels> supportedWideKernels() noexcept;
 
-/// The best one, unless PLANETREE_ISA names another: see instruction_set.hpp. Chosen at the first
-/// call, once for the program.
-[[nodiscard]] const WideKernels& wideKernels() noexcept;
+/// The best one, unless PLANETREE_ISA names another: see instruction_set.hpp.
+[[nodiscard]] const WideKernels& chooseWideKernels() noexcept;
+
+/// The same, chosen at the first call, once for the program.
+[[nodiscard]] inline const WideKernels& wideKernels() noexcept {
+  static const WideKernels& chosen = chooseWideKernels();
+  return chosen;
+}
 
 }  // namespace planetree::detail

@@ -127,8 +127,8 @@ struct alignas(16) WideFrame {
 /// A tree in its wide form.
 struct WideTree {
   WideFrame frame = {};
-  std::uint32_t commonMask = 0;  ///< what the masks of all geometries have in common
-  WideChild root = {};
+  std::uint32_t commonMask = 0;       ///< what the masks of all geometries have in common
+  WideChild root = WideChild::end();  ///< as it is in an empty tree
   bool isLarge =
       false;  ///< nodes are so many that they are often far away, and worth fetching ahead
   std::vector<WideNode> nodes = {};

@@ -3,6 +3,8 @@
 #include "traversal/offer_hits.hpp"
 #include "traversal/search_tree.hpp"
 
+#include <utility>
+
 namespace planetree {
 namespace {
 
@@ -23,9 +25,10 @@ bool search(const TreeView<T>& tree, const Ray<T>& ray, const QueryOptions& opti
 template <class T>
 std::optional<Hit<T>> findIntersection(const TreeView<T>& tree, const Ray<T>& ray,
                                        const QueryOptions& options, StepCounts* steps) noexcept {
-  Hit<T> hit;
-  if (!search<detail::NearestHit>(tree, ray, options, steps, hit))
-    return std::nullopt;
+  // Made where the caller wants it, so that it is not copied.
+  std::optional<Hit<T>> hit(std::in_place);
+  if (!search<detail::NearestHit>(tree, ray, options, steps, *hit))
+    hit.reset();
   return hit;
 }
 

@@ -2,8 +2,8 @@
 
 #include <planetree/traversal/step_counts.hpp>
 
+#include "traversal/search_binary.hpp"
 #include "traversal/search_wide.hpp"
-#include "traversal/traverse.hpp"
 
 #include <optional>
 
@@ -18,11 +18,7 @@ template <class Goal, class T>
     if (const std::optional<bool> found = searchWide<Goal>(request, hit))
       return *found;
   }
-  const Query<T> query(request);
-  const Node& root = query.tree.nodes.front();
-  const Interval<T> part = query.partInsideTree();
-  return steps ? traverse<Goal>(root, query, part, hit, Counting(*steps))
-               : traverse<Goal>(root, query, part, hit, Unobserved{});
+  return searchBinary<Goal>(request, hit, steps);
 }
 
 }  // namespace planetree::detail

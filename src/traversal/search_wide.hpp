@@ -23,7 +23,7 @@ namespace planetree::detail {
 
 /// Whether the request sees all geometries; nearly always the first question tells.
 template <class T>
-[[nodiscard]] bool seesAll(const Request<T>& request) noexcept {
+[[nodiscard]] inline bool seesAll(const Request<T>& request) noexcept {
   return (request.mask & request.tree.wide->commonMask) != 0 ||
          std::all_of(request.tree.geometries.begin(), request.tree.geometries.end(),
                      [&](const GeometryEntry<T>& entry) { return request.sees(entry); });
@@ -209,8 +209,6 @@ template <class Goal, class T>
                                              const WideKernels& kernels = wideKernels()) noexcept {
   if (request.tree.wide == nullptr)
     return std::nullopt;
-  if (request.tree.bounds.isEmpty())
-    return false;
   WideSearch<Goal, T> search(request, hit);
   if (!search.prepareRay())
     return std::nullopt;

@@ -31,7 +31,7 @@ struct WideTests {
 /// Most members have no value until the ray is prepared: to clear them would take as long.
 struct WideQuery {
   WideQuery(const WideTree& wide, const WideTests& wideTests, float from, float to) noexcept
-      : tree(wide), tests(wideTests), tMin(from), hitT(to) {}
+      : tree(wide), tests(wideTests), hitT(to), tMin(from) {}
 
   /// Fills in a ray for a tree whose objects are in double, and its positions in blocks relative to
   /// the center. False if the numbers of the ray are so large or small that the tests of boxes
@@ -46,7 +46,6 @@ struct WideQuery {
   bool isOutOfRange = false;   ///< the kernel cannot answer
 
   // --- the best hit so far ---
-  float tMin;
   float hitT;                               ///< at first the end of the interval
   std::uint32_t hitObject = 0xFFFF'FFFFu;   ///< the tree's number of the object
   const TriangleBlock* hitBlock = nullptr;  ///< null if it is no triangle of a block
@@ -58,6 +57,7 @@ struct WideQuery {
   float origin[3];
   float shear[2];
   float directionZ;
+  float tMin;
   /// An edge function of rounded corners that is no larger than this times their largest sheared
   /// coordinate may have the wrong sign. Corners in float are not rounded.
   float edgeSlack = 0.0f;
