@@ -80,6 +80,11 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
 
 #else
 
+constexpr std::uint32_t kExponentBits = 0x7F80'0000u;
+/// Of 2^40 divided by a power of two: twice the bias of floats and 40.
+constexpr std::uint32_t kExponentOfMost = (2u * 127u + 40u) << 23u;
+static_assert(kNearParallel<float> == 0x1p-40f);
+
 /// One number for each axis, and one more that nobody reads.
 using AxesTag = hn::FixedTag<float, 4>;
 using Axes = hn::Vec<AxesTag>;
@@ -127,9 +132,13 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   query.shear[0] = query.ray[3 + kx] / query.directionZ;
   query.shear[1] = query.ray[3 + ky] / query.directionZ;
 
-  const Axes smallest = hn::Mul(largest, hn::Set(d, kNearParallel<float>));
-  const Axes component = hn::CopySign(hn::Max(sizes, smallest), direction);
-  const Axes inverse = hn::Div(hn::Set(d, 1.0f), component);
+  // A direction nearly parallel to a plane takes up to 2^41 times what the one along the largest
+  // component does, no more: as a power of two that is known before the quotient.
+  const hn::RebindToUnsigned<AxesTag> bits;
+  const auto exponent = hn::And(hn::BitCast(bits, largest), hn::Set(bits, kExponentBits));
+  const Axes most = hn::BitCast(d, hn::Sub(hn::Set(bits, kExponentOfMost), exponent));
+  const Axes quotient = hn::Abs(hn::Div(hn::Set(d, 1.0f), direction));
+  const Axes inverse = hn::CopySign(hn::Min(quotient, most), direction);
   const Axes distanceSlack =
       hn::Mul(reach, hn::Set(d, kSlackInRoundoffs<float> * kRoundoff<float>));
   const Axes slack = hn::Mul(distanceSlack, hn::Abs(inverse));
