@@ -45,10 +45,12 @@ struct DistanceBounds {
   }
 };
 
-HWY_INLINE float larger(float x, float y) {
+template <class T>
+HWY_INLINE T larger(T x, T y) {
   return x > y ? x : y;
 }
-HWY_INLINE float smaller(float x, float y) {
+template <class T>
+HWY_INLINE T smaller(T x, T y) {
   return x < y ? x : y;
 }
 HWY_INLINE float magnitude(float x) {

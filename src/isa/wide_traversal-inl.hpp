@@ -497,10 +497,11 @@ HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std
   const double u = edge(c.x, b.y, c.y, b.x);
   const double v = edge(a.x, c.y, a.y, c.x);
   const double w = edge(b.x, a.y, b.y, a.x);
-  if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0))
-    return false;
+  // Which sign they have no branch can foresee, but most candidates are hit.
+  const double least = smaller(smaller(u, v), w);
+  const double greatest = larger(larger(u, v), w);
   const double sum = u + v + w;
-  if (sum == 0.0)
+  if (static_cast<int>(least < 0.0) + static_cast<int>(greatest > 0.0) == 2 || sum == 0.0)
     return false;
   const double z =
       u * static_cast<double>(a.z) + v * static_cast<double>(b.z) + w * static_cast<double>(c.z);
