@@ -89,6 +89,14 @@ static_assert(kNearParallel<float> == 0x1p-40f);
 using AxesTag = hn::FixedTag<float, 4>;
 using Axes = hn::Vec<AxesTag>;
 
+/// Three numbers, one by one: they were often written that way just before, and would reach a load
+/// of all three only after they have gone through to the cache.
+HWY_INLINE Axes loadAxes(const float* numbers) {
+  const AxesTag d;
+  const Axes xy = hn::OddEven(hn::Set(d, numbers[1]), hn::Set(d, numbers[0]));
+  return hn::ConcatUpperLower(d, hn::Set(d, numbers[2]), xy);
+}
+
 HWY_INLINE std::uint32_t axesIn(hn::Mask<AxesTag> mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(AxesTag(), mask, bytes);
@@ -101,8 +109,8 @@ HWY_INLINE std::uint32_t axesIn(hn::Mask<AxesTag> mask) {
 HWY_INLINE bool prepareRay(WideQuery& query) {
   const AxesTag d;
   const auto isAxis = hn::FirstN(d, 3);
-  const Axes origin = hn::LoadU(d, query.ray);
-  const Axes direction = hn::LoadU(d, query.ray + 3);
+  const Axes origin = loadAxes(query.ray);
+  const Axes direction = loadAxes(query.ray + 3);
   const Axes toCenter = hn::Sub(hn::Load(d, query.tree.frame.center), origin);
   const Axes sizes = hn::IfThenElseZero(isAxis, hn::Abs(direction));
   const Axes distances = hn::IfThenElseZero(
