@@ -339,8 +339,9 @@ class BlockRay {
     constexpr float kBeyondAll = 2.0f;
     const float perUnit = std::fabs(query.directionZ) / (2.0f * query.reach);
     depthPerZ_ = perUnit / query.directionZ;
-    least_ = HWY_MAX(query.tMin * perUnit, -kBeyondAll);
-    greatest_ = HWY_MIN(query.hitT * perUnit, kBeyondAll);
+    // In this order a NaN stays, with which nothing is hit.
+    least_ = larger(-kBeyondAll, query.tMin * perUnit);
+    greatest_ = smaller(kBeyondAll, query.hitT * perUnit);
   }
 
   /// Which lanes of a block may be hit.

@@ -255,6 +255,7 @@ TEST(ClipsReferences, RemovesFalseEntries) {
   MeshGenerator generator(kSeed);
   const auto mesh = generator.slivers<float>(300, 100);
   BuildOptions options;
+  options.cost.faceCost = 1.0;
   const auto clipped = buildTree(mesh.view(), options).statistics();
   options.clipsReferences = false;
   const auto whole = buildTree(mesh.view(), options).statistics();

@@ -275,7 +275,7 @@ TEST(Walk, TellsOfAHitOutsideTheCellItWasFoundIn) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), {{-2, -2, -2}, {2, -2, 2}, {0, 2, 0}});
   mesh.faces.push_back({first, first + 1, first + 2});
-  const auto tree = buildTree(std::move(mesh));
+  const auto tree = buildTree(std::move(mesh), {.leafSize = 4, .cost = {.faceCost = 1.0}});
   Random random(6);
   std::size_t outsideCount = 0;
   for (int i = 0; i < 500; ++i) {

@@ -77,8 +77,11 @@ TEST(WideFormOfDoubles, IsRightFarFromTheOriginAndAtAllScales) {
       SCOPED_TRACE(std::to_string(scale) + " at " + std::to_string(offset));
       const Mesh mesh = test::detail::scaled(test::detail::soup<double>(65, 100, 0.2), scale,
                                              Vec3d{offset, -offset, offset});
-      EXPECT_GT(compareAll(mesh, raysAtFaces(mesh, scale, 100, 66)), 0u);
-      EXPECT_GT(compareAll(mesh, raysAtFaces(mesh, 1e4 * scale, 50, 67)), 0u);
+      // The smallest triangles, farthest away, are points even in double.
+      const bool isVisible = scale > offset * 0x1p-50;
+      const std::size_t nearCount = compareAll(mesh, raysAtFaces(mesh, scale, 100, 66));
+      const std::size_t farCount = compareAll(mesh, raysAtFaces(mesh, 1e4 * scale, 50, 67));
+      EXPECT_TRUE(!isVisible || (nearCount > 0 && farCount > 0));
     }
   }
 }
