@@ -133,7 +133,7 @@ std::vector<std::uint64_t> shapesOf(const BuildOptions& options) {
   };
   // Dearer faces make more splits, in which more can differ.
   BuildOptions fine = options;
-  fine.cost.faceCost *= 8.0;
+  fine.cost.faceCost *= 30.0;
   for (const TriangleMesh<float>& mesh : {heap(), walls()})
     add(buildTree(mesh.view(), fine).statistics());
   add(buildTree(balls(), options).statistics());

@@ -222,7 +222,7 @@ TEST_F(Explain, PagesAreAtMostAHundredColumnsWide) {
 
 TEST_F(Explain, ARayInASplitPlaneVisitsBothSides) {
   // The walls of soup's first split: a ray in that plane, across the whole model.
-  const auto tree = buildTree(mesh_.view());
+  const auto tree = buildTree(mesh_.view(), {.leafSize = 4, .cost = {.faceCost = 1.0}});
   ASSERT_FALSE(tree.root().isLeaf());
   const SplitNode& split = tree.root().split();
   Ray<float> ray{.origin = {0.1f, 0.1f, 0.1f}, .direction = {0, 0, 0}};
@@ -230,7 +230,8 @@ TEST_F(Explain, ARayInASplitPlaneVisitsBothSides) {
   ray.origin[split.axis()] = split.position();
   ray.origin[along] = -3.0f;
   ray.direction[along] = 1.0f;
-  const json step = json::parse(explain("soup.obj", rayText(ray), {"--json"}).out)["steps"].at(0);
+  const std::string walk = explain("soup.obj", rayText(ray), {"--json", "--face-cost", "1"}).out;
+  const json step = json::parse(walk)["steps"].at(0);
   EXPECT_EQ(step["near"], step["interval"]);
   EXPECT_EQ(step["far"], step["interval"]);
 }
