@@ -23,12 +23,16 @@ struct ShearedCorner {
   float z;
 };
 
-HWY_INLINE ShearedCorner shearCorner(const WideQuery& query, const TriangleBlock& block,
-                                     std::size_t i) {
-  const float z = block.positions[query.axes[2]][i] - query.origin[2];
-  return {block.positions[query.axes[0]][i] - query.origin[0] - query.shear[0] * z,
-          block.positions[query.axes[1]][i] - query.origin[1] - query.shear[1] * z, z};
-}
+/// All corners of a block.
+struct ShearedBlock {
+  HWY_ALIGN float x[TriangleBlock::kPositionCount];
+  HWY_ALIGN float y[TriangleBlock::kPositionCount];
+  HWY_ALIGN float z[TriangleBlock::kPositionCount];
+
+  [[nodiscard]] HWY_INLINE ShearedCorner operator[](std::size_t i) const {
+    return {x[i], y[i], z[i]};
+  }
+};
 
 /// Where a ray meets a triangle with rounded corners, if it does: t lies in between. Such bounds
 /// hold for every triangle that the test in double accepts: docs/numerics.md, section 3.
@@ -59,11 +63,10 @@ HWY_INLINE float magnitude(float x) {
 
 /// From the corners alone: the hit is no nearer than all of them, and no farther.
 HWY_INLINE DistanceBounds boundByCorners(const WideQuery& query, const TriangleBlock& block,
-                                         std::size_t lane) {
+                                         const ShearedBlock& sheared, std::size_t lane) {
   const float inverse = query.inverse[query.axes[2]];
   const auto distance = [&](std::size_t corner) {
-    return (block.positions[query.axes[2]][block.corners[corner][lane]] - query.origin[2]) *
-           inverse;
+    return sheared.z[block.corners[corner][lane]] * inverse;
   };
   const float a = distance(0);
   const float b = distance(1);
@@ -75,10 +78,10 @@ HWY_INLINE DistanceBounds boundByCorners(const WideQuery& query, const TriangleB
 /// From the weights of the corners, and how far these may be off. Infinitely far apart, or NaN,
 /// where rounding has left nothing of the triangle.
 HWY_INLINE DistanceBounds boundByWeights(const WideQuery& query, const TriangleBlock& block,
-                                         std::size_t lane) {
-  const ShearedCorner a = shearCorner(query, block, block.corners[0][lane]);
-  const ShearedCorner b = shearCorner(query, block, block.corners[1][lane]);
-  const ShearedCorner c = shearCorner(query, block, block.corners[2][lane]);
+                                         const ShearedBlock& sheared, std::size_t lane) {
+  const ShearedCorner a = sheared[block.corners[0][lane]];
+  const ShearedCorner b = sheared[block.corners[1][lane]];
+  const ShearedCorner c = sheared[block.corners[2][lane]];
   const float v = a.x * c.y - a.y * c.x;
   const float w = b.x * a.y - b.y * a.x;
   const float sum = (c.x * b.y - c.y * b.x) + v + w;

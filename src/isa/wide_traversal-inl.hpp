@@ -357,8 +357,10 @@ class BlockRay {
   /// If any hit will do, most of those that are hit outside the interval are left out, and most of
   /// the others are certain, so that the search is over. The interval is the one that the query
   /// began with; and a candidate is likely to be the last one, so that it pays.
+  ///
+  /// `sheared` gets the corners if there are candidates, for what comes then.
   template <class Goal>
-  HWY_INLINE BlockAnswer test(const TriangleBlock& block) const {
+  HWY_INLINE BlockAnswer test(const TriangleBlock& block, ShearedBlock& sheared) const {
     const FloatTag d;
     Lanes x;
     Lanes y;
@@ -400,10 +402,15 @@ class BlockRay {
       }
     });
     BlockAnswer lanes = {bitsOf(isCandidate) & block.usedLanes, 0};
-    if constexpr (Goal::kStopsAtAnyHit && !Goal::kHandsOver) {
-      if (lanes.candidates != 0)
-        testDepths(block, z, edges, lanes);
-    }
+    if (lanes.candidates == 0)
+      return lanes;
+    forEachVector([&](auto i) {
+      hn::Store(x.vectors[i], d, sheared.x + i * kLanesPerVector);
+      hn::Store(y.vectors[i], d, sheared.y + i * kLanesPerVector);
+      hn::Store(z.vectors[i], d, sheared.z + i * kLanesPerVector);
+    });
+    if constexpr (Goal::kStopsAtAnyHit && !Goal::kHandsOver)
+      testDepths(block, z, edges, lanes);
     return lanes;
   }
 
@@ -487,10 +494,11 @@ class BlockRay {
 
 /// The test of one triangle, rounded as in `intersectTriangle`. Returns whether `query` has a new
 /// best hit.
-HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block, std::uint32_t lane) {
-  const ShearedCorner a = shearCorner(query, block, block.corners[0][lane]);
-  const ShearedCorner b = shearCorner(query, block, block.corners[1][lane]);
-  const ShearedCorner c = shearCorner(query, block, block.corners[2][lane]);
+HWY_INLINE bool acceptTriangle(WideQuery& query, const TriangleBlock& block,
+                               const ShearedBlock& sheared, std::uint32_t lane) {
+  const ShearedCorner a = sheared[block.corners[0][lane]];
+  const ShearedCorner b = sheared[block.corners[1][lane]];
+  const ShearedCorner c = sheared[block.corners[2][lane]];
   const auto edge = [](float ax, float by, float bx, float ay) {
     return static_cast<double>(ax) * static_cast<double>(by) -
            static_cast<double>(bx) * static_cast<double>(ay);
@@ -538,11 +546,12 @@ HWY_INLINE std::uint32_t lanesOf(const TriangleBlock& block, std::uint32_t objec
 /// Tests triangles of a block, those that `lanes` has a bit for; returns whether one of them became
 /// the best hit.
 template <class Goal>
-HWY_INLINE bool testCandidates(WideQuery& query, const TriangleBlock& block, std::uint32_t lanes) {
+HWY_INLINE bool testCandidates(WideQuery& query, const TriangleBlock& block,
+                               const ShearedBlock& sheared, std::uint32_t lanes) {
   bool found = false;
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
-    found |= acceptTriangle(query, block, lane);
+    found |= acceptTriangle(query, block, sheared, lane);
     if (Goal::kStopsAtAnyHit && found)
       return true;
   }
@@ -551,7 +560,7 @@ HWY_INLINE bool testCandidates(WideQuery& query, const TriangleBlock& block, std
 
 /// The same where the query decides, with the corners of the mesh.
 HWY_INLINE bool handOverCandidates(WideQuery& query, const TriangleBlock& block,
-                                   std::uint32_t lanes) {
+                                   const ShearedBlock& sheared, std::uint32_t lanes) {
   Candidates candidates;
   for (; lanes != 0; lanes &= lanes - 1) {
     const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
@@ -559,9 +568,9 @@ HWY_INLINE bool handOverCandidates(WideQuery& query, const TriangleBlock& block,
                              std::numeric_limits<float>::infinity()};
     if (query.cornersAreRounded) {
       // To look up the corners in the mesh costs more than both bounds.
-      bounds = boundByCorners(query, block, lane);
+      bounds = boundByCorners(query, block, sheared, lane);
       if (!bounds.areInside(query) && !bounds.areOutside(query))
-        bounds = boundByWeights(query, block, lane);
+        bounds = boundByWeights(query, block, sheared, lane);
       if (bounds.areOutside(query))
         continue;
     }
@@ -600,6 +609,7 @@ struct Progress {
   bool found = false;
 
   const TriangleBlock* block = nullptr;  ///< the one tested last
+  ShearedBlock sheared;                  ///< its corners, if it has candidates
   std::uint32_t lanes = 0;               ///< its candidates
   std::uint32_t restCount = 0;           ///< blocks behind it, still to be tested
   WideChild object = {};
@@ -628,7 +638,7 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
   while (true) {
     for (; restCount > 0; --restCount) {
       ++block;
-      const auto answer = blockRay.test<Goal>(*block);
+      const auto answer = blockRay.test<Goal>(*block, progress.sheared);
       if (answer.certain != 0)
         return Pause::Hit;
       std::uint32_t lanes = answer.candidates;
@@ -685,9 +695,11 @@ bool search(WideQuery& query) noexcept {
     if (pause == Pause::Object)
       progress.found |= query.tests.testObject(query, progress.object.reference());
     else if constexpr (Goal::kHandsOver)
-      progress.found |= handOverCandidates(query, *progress.block, progress.lanes);
+      progress.found |=
+          handOverCandidates(query, *progress.block, progress.sheared, progress.lanes);
     else
-      progress.found |= testCandidates<Goal>(query, *progress.block, progress.lanes);
+      progress.found |=
+          testCandidates<Goal>(query, *progress.block, progress.sheared, progress.lanes);
     if (Goal::kStopsAtAnyHit && progress.found)
       return true;
     if (query.hitT < end)
