@@ -4,11 +4,12 @@
 #include <planetree/node/node_layout.hpp>
 
 #include "node/triangle_block.hpp"
+#include "support/large_pages.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 /// The wide form of a tree: several levels of the binary one in each node, derived from it for
 /// speed. Its cells are those of the binary form, so they do not overlap and are met front to back;
@@ -125,14 +126,23 @@ struct alignas(16) WideFrame {
 };
 
 /// A tree in its wide form.
-struct WideTree {
+class WideTree {
+ public:
+  /// An empty tree.
+  WideTree() = default;
+  /// Copies nodes and blocks to memory of their own, the nodes, which rays visit most, first.
+  WideTree(const WideFrame& wideFrame, WideChild wideRoot, std::span<const WideNode> wideNodes,
+           std::span<const TriangleBlock> wideBlocks);
+
   WideFrame frame = {};
-  std::uint32_t commonMask = 0;       ///< what the masks of all geometries have in common
-  WideChild root = WideChild::end();  ///< as it is in an empty tree
-  bool isLarge =
-      false;  ///< nodes are so many that they are often far away, and worth fetching ahead
-  std::vector<WideNode> nodes = {};
-  std::vector<TriangleBlock> blocks = {};
+  std::uint32_t commonMask = 0;  ///< what the masks of all geometries have in common
+  WideChild root = WideChild::end();
+  bool isLarge = false;  ///< much of it is often far away, and worth fetching ahead
+  std::span<const WideNode> nodes = {};
+  std::span<const TriangleBlock> blocks = {};
+
+ private:
+  LargePages memory_;
 };
 
 }  // namespace planetree::detail

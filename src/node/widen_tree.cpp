@@ -4,7 +4,6 @@
 
 #include "node/divide_leaf.hpp"
 #include "support/assert.hpp"
-#include "support/large_pages.hpp"
 #include "support/sort_by.hpp"
 
 #include <algorithm>
@@ -18,9 +17,6 @@ namespace planetree::detail {
 namespace {
 
 constexpr std::size_t kSlotCount = WideNode::kSlotCount;
-/// Sixteen megabytes of nodes, about what a thread has of a large cache. In smaller trees fetching
-/// ahead costs as much as it saves.
-constexpr std::size_t kLargeNodeCount = 32'768;
 constexpr std::size_t kNoChild = std::numeric_limits<std::size_t>::max();
 
 // In terms of the test of a node, which takes as long as that of a block.
@@ -109,18 +105,19 @@ WideNode sortedByArea(const WideNode& node) {
 class Widener {
  public:
   Widener(std::span<const Node> nodes, std::span<const std::uint32_t> references,
-          std::span<const Box3> boxes, WideTree& tree)
-      : nodes_(nodes), references_(references), boxes_(boxes), tree_(tree) {}
+          std::span<const Box3> boxes, const WideFrame& frame)
+      : nodes_(nodes), references_(references), boxes_(boxes), frame_(frame) {}
 
-  void run(LeafPacker& packer) {
+  [[nodiscard]] WideTree run(LeafPacker& packer) {
     makeParts(packer);
     requireIndices();
     if (parts_.front().bounds.isEmpty())
-      return;
+      return {};
     plans_.resize(parts_.size());
     for (std::size_t i = parts_.size(); i-- > 0;)
       plan(i);
-    tree_.root = place(0, plans_.front().leftSlots[1]);
+    const WideChild root = place(0, plans_.front().leftSlots[1]);
+    return {frame_, root, wideNodes_, blocks_};
   }
 
  private:
@@ -155,13 +152,13 @@ class Widener {
     const std::uint32_t first = leaf.firstReference();
     const bool isPacked = packer.open(references_.subspan(first, leaf.count()));
     divider.divide(boxes_.subspan(first, leaf.count()), isPacked ? &packer : nullptr, first, parts_,
-                   tree_.blocks);
+                   blocks_);
   }
 
   void requireIndices() const {
-    const bool areBlocksTooMany = tree_.blocks.size() > std::size_t{WideChild::kMaxBlockIndex} + 1;
+    const bool areBlocksTooMany = blocks_.size() > std::size_t{WideChild::kMaxBlockIndex} + 1;
     const bool areObjectsTooMany =
-        tree_.blocks.empty() && references_.size() > std::size_t{WideChild::kMaxReference} + 1;
+        blocks_.empty() && references_.size() > std::size_t{WideChild::kMaxReference} + 1;
     if (areBlocksTooMany || areObjectsTooMany)
       throwTooLarge(areBlocksTooMany ? "blocks" : "references");
   }
@@ -216,10 +213,10 @@ class Widener {
 
   /// Room for one more node, which is still to be written.
   std::size_t addNode() {
-    const std::size_t index = tree_.nodes.size();
+    const std::size_t index = wideNodes_.size();
     if (index > WideChild::kMaxNodeIndex)
       throwTooLarge("nodes");
-    tree_.nodes.emplace_back();
+    wideNodes_.emplace_back();
     return index;
   }
 
@@ -247,7 +244,7 @@ class Widener {
       setBounds(wide, branch.slot, parts_[branch.part].bounds);
       wide.children[branch.slot] = place(branch.part, branch.kind);
     }
-    tree_.nodes[index] = sortedByArea(wide);
+    wideNodes_[index] = sortedByArea(wide);
     return WideChild::node(static_cast<std::uint32_t>(index));
   }
 
@@ -286,7 +283,7 @@ class Widener {
     for (const Axis axis : kAxes) {
       const auto i = 2 * static_cast<std::size_t>(axis);
       // In double the difference of two floats is off by far less than the step that is added.
-      const double center = static_cast<double>(tree_.frame.center[static_cast<std::size_t>(axis)]);
+      const double center = static_cast<double>(frame_.center[static_cast<std::size_t>(axis)]);
       node.planes[i][slot] = roundDown(static_cast<double>(box.lower[axis]) - center);
       node.planes[i + 1][slot] = roundUp(static_cast<double>(box.upper[axis]) - center);
     }
@@ -317,9 +314,11 @@ class Widener {
   std::span<const Node> nodes_;
   std::span<const std::uint32_t> references_;
   std::span<const Box3> boxes_;
-  WideTree& tree_;
+  WideFrame frame_;
   std::vector<Part> parts_;
   std::vector<SlotPlan> plans_;
+  std::vector<WideNode> wideNodes_;
+  std::vector<TriangleBlock> blocks_;
 };
 
 }  // namespace
@@ -335,22 +334,18 @@ Vec3f centerOfWideTree(const Box3& bounds) noexcept {
 
 WideTree widenTree(std::span<const Node> nodes, std::span<const std::uint32_t> references,
                    std::span<const Box3> boxes, const Box3& bounds, LeafPacker& packer) {
-  WideTree tree;
   if (bounds.isEmpty())
-    return tree;
+    return {};
+  WideFrame frame;
   const Vec3f center = centerOfWideTree(bounds);
   for (const Axis axis : kAxes) {
     const auto a = static_cast<std::size_t>(axis);
-    tree.frame.center[a] = center[axis];
+    frame.center[a] = center[axis];
     const auto middle = static_cast<double>(center[axis]);
-    tree.frame.halfSize[a] = roundUp(std::max(static_cast<double>(bounds.upper[axis]) - middle,
-                                              middle - static_cast<double>(bounds.lower[axis])));
+    frame.halfSize[a] = roundUp(std::max(static_cast<double>(bounds.upper[axis]) - middle,
+                                         middle - static_cast<double>(bounds.lower[axis])));
   }
-  Widener(nodes, references, boxes, tree).run(packer);
-  tree.isLarge = tree.nodes.size() > kLargeNodeCount;
-  settle(tree.nodes);
-  settle(tree.blocks);
-  return tree;
+  return Widener(nodes, references, boxes, frame).run(packer);
 }
 
 }  // namespace planetree::detail

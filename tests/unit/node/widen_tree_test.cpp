@@ -30,12 +30,12 @@ class WideWalk {
  private:
   void visit(WideChild child, const Box3& outer) {
     if (child.isNode()) {
-      visitNode(wide_.nodes.at(child.nodeIndex()), outer);
+      visitNode(wide_.nodes[child.nodeIndex()], outer);
     } else if (child.isObject()) {
       objects.insert(tree_.references[child.reference()]);
     } else {
       for (std::uint32_t i = 0; i < child.blockCount(); ++i) {
-        const TriangleBlock& block = wide_.blocks.at(child.firstBlock() + i);
+        const TriangleBlock& block = wide_.blocks[child.firstBlock() + i];
         for (std::size_t lane = 0; lane < TriangleBlock::kLaneCount; ++lane) {
           if ((block.usedLanes >> lane & 1u) != 0)
             objects.insert(block.objects[lane]);
