@@ -347,16 +347,16 @@ class BlockRay {
   /// Which lanes of a block may be hit.
   struct BlockAnswer {
     std::uint32_t candidates;  ///< nothing but exact arithmetic decides
-    std::uint32_t certain;     ///< surely hit within the interval; known only where any hit will do
+    std::uint32_t certain;     ///< surely hit within the interval; none if they are handed over
   };
 
   /// Candidates are the lanes whose edge functions do not have both signs: those that can be hit,
   /// and no others but such as have a zero that only exact arithmetic decides; if they are handed
   /// over, also those whose signs may be wrong because corners are rounded.
   ///
-  /// If any hit will do, most of those that are hit outside the interval are left out, and most of
-  /// the others are certain, so that the search is over. The interval is the one that the query
-  /// began with; and a candidate is likely to be the last one, so that it pays.
+  /// Otherwise most of those that are hit outside the interval are left out, and it is known of
+  /// most of the others that they are hit: if any hit will do, the search is over. The interval
+  /// ends at the best hit so far.
   ///
   /// `sheared` gets the corners if there are candidates, for what comes then.
   template <class Goal>
@@ -409,7 +409,7 @@ class BlockRay {
       hn::Store(y.vectors[i], d, sheared.y + i * kLanesPerVector);
       hn::Store(z.vectors[i], d, sheared.z + i * kLanesPerVector);
     });
-    if constexpr (Goal::kStopsAtAnyHit && !Goal::kHandsOver)
+    if constexpr (!Goal::kHandsOver)
       testDepths(block, z, edges, lanes);
     return lanes;
   }
@@ -639,7 +639,7 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
     for (; restCount > 0; --restCount) {
       ++block;
       const auto answer = blockRay.test<Goal>(*block, progress.sheared);
-      if (answer.certain != 0)
+      if (Goal::kStopsAtAnyHit && answer.certain != 0)
         return Pause::Hit;
       std::uint32_t lanes = answer.candidates;
       if (lanes != 0 && !Goal::kStopsAtAnyHit)
