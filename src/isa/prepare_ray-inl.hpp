@@ -65,6 +65,8 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   }
   query.shear[0] = sheared.shearX;
   query.shear[1] = sheared.shearY;
+  query.depthPerT = std::fabs(query.directionZ) / (2.0f * query.reach);
+  query.depthPerZ = query.depthPerT / query.directionZ;
   query.octant = 0;
   for (const Axis axis : kAxes) {
     const auto a = static_cast<std::size_t>(axis);
@@ -139,6 +141,9 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   query.directionZ = query.ray[3 + kz];
   query.shear[0] = query.ray[3 + kx] / query.directionZ;
   query.shear[1] = query.ray[3 + ky] / query.directionZ;
+  const float half = 0.5f / query.reach;
+  query.depthPerT = half * hn::GetLane(largest);
+  query.depthPerZ = query.directionZ < 0.0f ? -half : half;
 
   // A direction nearly parallel to a plane takes up to 2^41 times what the one along the largest
   // component does, no more: as a power of two that is known before the quotient.

@@ -335,13 +335,10 @@ class BlockRay {
         rows_{query.axes[0] * TriangleBlock::kPositionCount,
               query.axes[1] * TriangleBlock::kPositionCount,
               query.axes[2] * TriangleBlock::kPositionCount} {
-    // In parts of twice the largest t of a corner: nothing here over- or underflows.
     constexpr float kBeyondAll = 2.0f;
-    const float perUnit = std::fabs(query.directionZ) / (2.0f * query.reach);
-    depthPerZ_ = perUnit / query.directionZ;
     // In this order a NaN stays, with which nothing is hit.
-    least_ = larger(-kBeyondAll, query.tMin * perUnit);
-    greatest_ = smaller(kBeyondAll, query.hitT * perUnit);
+    least_ = larger(-kBeyondAll, query.tMin * query.depthPerT);
+    greatest_ = smaller(kBeyondAll, query.hitT * query.depthPerT);
   }
 
   /// Which lanes of a block may be hit.
@@ -434,7 +431,7 @@ class BlockRay {
     const FloatTag d;
     Lanes depth;
     forEachVector(
-        [&](auto i) { depth.vectors[i] = hn::Mul(z.vectors[i], everywhere(depthPerZ_)); });
+        [&](auto i) { depth.vectors[i] = hn::Mul(z.vectors[i], everywhere(query_.depthPerZ)); });
     Mask isPossible[kVectorCount];
     Mask isCertain[kVectorCount];
     forEachVector([&](auto i) {
@@ -489,7 +486,7 @@ class BlockRay {
 
   const WideQuery& query_;
   std::size_t rows_[3];  ///< where the positions along the sheared axes stand
-  float depthPerZ_, least_, greatest_;
+  float least_, greatest_;
 };
 
 /// The test of one triangle, rounded as in `intersectTriangle`. Returns whether `query` has a new

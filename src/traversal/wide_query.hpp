@@ -57,6 +57,9 @@ struct WideQuery {
   float origin[3];
   float shear[2];
   float directionZ;
+  /// Depths are in parts of twice the largest t of a corner: nothing over- or underflows.
+  float depthPerT;
+  float depthPerZ;
   float tMin;
   /// An edge function of rounded corners that is no larger than this times their largest sheared
   /// coordinate may have the wrong sign. Corners in float are not rounded.
