@@ -21,17 +21,25 @@ struct ShearedRay {
   T shearY = T(0);
 
   explicit ShearedRay(const Ray<T>& from) noexcept : ray(from) {
-    const Vec3<T>& d = ray.direction;
-    const T x = std::fabs(d.x);
-    const T y = std::fabs(d.y);
-    const T z = std::fabs(d.z);
-    kz = x > y ? (x > z ? Axis::X : Axis::Z) : (y > z ? Axis::Y : Axis::Z);
-    kx = kz == Axis::X ? Axis::Y : kz == Axis::Y ? Axis::Z : Axis::X;
-    ky = kx == Axis::X ? Axis::Y : kx == Axis::Y ? Axis::Z : Axis::X;
+    const T components[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+    const T x = std::fabs(components[0]);
+    const T y = std::fabs(components[1]);
+    const T z = std::fabs(components[2]);
+    // Which axis it is no branch can foresee, so there is none. The others follow it in turn, two
+    // bits for each.
+    const auto isYOverX = static_cast<unsigned>(!(x > y));
+    const auto isZOverBoth = static_cast<unsigned>(!((x > y ? x : y) > z));
+    const unsigned third = 2u * isZOverBoth + (isYOverX & ~isZOverBoth);
+    const unsigned first = 0b00'10'01u >> 2u * third & 3u;
+    const unsigned second = 0b01'00'10u >> 2u * third & 3u;
+    kx = static_cast<Axis>(first);
+    ky = static_cast<Axis>(second);
+    kz = static_cast<Axis>(third);
     // A direction that points nowhere makes the shear NaN, and with it every test a miss.
-    const T along = std::isfinite(d[kz]) ? d[kz] : std::numeric_limits<T>::quiet_NaN();
-    shearX = d[kx] / along;
-    shearY = d[ky] / along;
+    const T along =
+        std::isfinite(components[third]) ? components[third] : std::numeric_limits<T>::quiet_NaN();
+    shearX = components[first] / along;
+    shearY = components[second] / along;
   }
 };
 

@@ -126,7 +126,8 @@ struct PreparedRay {
 
  private:
   [[nodiscard]] T largestComponent() const noexcept {
-    return std::fabs(ray().direction[sheared.kz]);
+    const Vec3<T>& direction = ray().direction;
+    return std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
   }
 
   /// A component that is zero, or so small against the largest one that the ray moves along the
@@ -135,7 +136,7 @@ struct PreparedRay {
   /// outside every interval, and one within the slack of the plane visits both sides.
   [[nodiscard]] T awayFromParallel(T component) const noexcept {
     const T smallest = largestComponent() * detail::kNearParallel<T>;
-    return std::fabs(component) >= smallest ? component : std::copysign(smallest, component);
+    return std::copysign(std::max(std::fabs(component), smallest), component);
   }
 };
 
