@@ -10,8 +10,8 @@ namespace planetree {
 struct CostModel {
   double traversalCost = 1.5;     ///< one split node
   double intersectionCost = 1.0;  ///< one object in a leaf
-  /// One face of a mesh, in place of `intersectionCost`, where a tree holds nothing else. Sixteen of
-  /// them are tested at once, and the wide form divides leaves further without holding any face
+  /// One face of a mesh, in place of `intersectionCost`, where a tree holds nothing else. Sixteen
+  /// of them are tested at once, and the wide form divides leaves further without holding any face
   /// twice: a split has to spare many tests to be worth its references.
   double faceCost = 0.05;
   /// The part of a split's cost that is forgiven if one side is empty, in [0, 1). Cutting off empty
