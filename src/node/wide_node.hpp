@@ -126,8 +126,7 @@ struct alignas(16) WideFrame {
 };
 
 /// A tree in its wide form.
-class WideTree {
- public:
+struct WideTree {
   /// An empty tree.
   WideTree() = default;
   /// Copies nodes and blocks to memory of their own, the nodes, which rays visit most, first.
