@@ -13,7 +13,9 @@
 
 /// The wide form of a tree: several levels of the binary one in each node, derived from it for
 /// speed. Its cells are those of the binary form, so they do not overlap and are met front to back;
-/// each carries the box of what it contains, which is tighter than the cell.
+/// each carries the box of what it contains, which is tighter than the cell. Below the leaves of
+/// the binary form the objects themselves are divided: the boxes of these parts may overlap, and
+/// are met roughly front to back.
 namespace planetree::detail {
 
 /// No leaf of the binary form is divided more often than this, one part after the other.
