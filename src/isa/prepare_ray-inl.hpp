@@ -65,8 +65,6 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   }
   query.shear[0] = sheared.shearX;
   query.shear[1] = sheared.shearY;
-  query.depthPerT = std::fabs(query.directionZ) / (2.0f * query.reach);
-  query.depthPerZ = query.depthPerT / query.directionZ;
   query.octant = 0;
   for (const Axis axis : kAxes) {
     const auto a = static_cast<std::size_t>(axis);
@@ -129,9 +127,8 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
 
   // As in `ShearedRay`: of axes along which the direction is equally large, the last one.
   const std::uint32_t kz = highestBit(axesIn(hn::Eq(sizes, largest)));
-  // The axes after it, in turn, two bits for each: which one it is no branch can foresee.
-  const std::uint32_t kx = 0b00'10'01u >> 2u * kz & 3u;
-  const std::uint32_t ky = 0b01'00'10u >> 2u * kz & 3u;
+  const auto kx = static_cast<std::uint32_t>(nextAxis(static_cast<Axis>(kz)));
+  const auto ky = static_cast<std::uint32_t>(nextAxis(static_cast<Axis>(kx)));
   query.axes[0] = kx;
   query.axes[1] = ky;
   query.axes[2] = kz;
@@ -141,9 +138,6 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
   query.directionZ = query.ray[3 + kz];
   query.shear[0] = query.ray[3 + kx] / query.directionZ;
   query.shear[1] = query.ray[3 + ky] / query.directionZ;
-  const float half = 0.5f / query.reach;
-  query.depthPerT = half * hn::GetLane(largest);
-  query.depthPerZ = query.directionZ < 0.0f ? -half : half;
 
   // A direction nearly parallel to a plane takes up to 2^41 times what the one along the largest
   // component does, no more: as a power of two that is known before the quotient.

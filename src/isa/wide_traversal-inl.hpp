@@ -388,14 +388,14 @@ class BlockRay {
       e.u = hn::Sub(hn::Mul(e.cx, e.by), hn::Mul(e.cy, e.bx));
       e.v = hn::Sub(hn::Mul(e.ax, e.cy), hn::Mul(e.ay, e.cx));
       e.w = hn::Sub(hn::Mul(e.bx, e.ay), hn::Mul(e.by, e.ax));
-      const Floats least = hn::Min(hn::Min(e.u, e.v), e.w);
-      const Floats greatest = hn::Max(hn::Max(e.u, e.v), e.w);
+      e.least = hn::Min(hn::Min(e.u, e.v), e.w);
+      e.greatest = hn::Max(hn::Max(e.u, e.v), e.w);
       if constexpr (Goal::kHandsOver) {
         const Floats slack = slackOf(e);
-        isCandidate[i] = hn::Or(hn::Ge(least, hn::Neg(slack)), hn::Le(greatest, slack));
+        isCandidate[i] = hn::Or(hn::Ge(e.least, hn::Neg(slack)), hn::Le(e.greatest, slack));
       } else {
         const Floats zero = hn::Zero(d);
-        isCandidate[i] = hn::Or(hn::Ge(least, zero), hn::Le(greatest, zero));
+        isCandidate[i] = hn::Or(hn::Ge(e.least, zero), hn::Le(e.greatest, zero));
       }
     });
     BlockAnswer lanes = {bitsOf(isCandidate) & block.usedLanes, 0};
@@ -422,6 +422,7 @@ class BlockRay {
 
     Floats ax, ay, bx, by, cx, cy;
     Floats u, v, w;
+    Floats least, greatest;  ///< of u, v and w
   };
 
   /// Takes from the candidates what is hit outside the interval, and finds those that are surely
@@ -456,8 +457,7 @@ class BlockRay {
       isPossible[i] = hn::And(hn::Ge(latest, start), hn::Le(earliest, end));
       // Of edge functions that are not zero the signs are right, and those of the test in double.
       const Floats zero = hn::Zero(d);
-      const Mask haveOneSign = hn::Or(hn::Gt(hn::Min(hn::Min(e.u, e.v), e.w), zero),
-                                      hn::Lt(hn::Max(hn::Max(e.u, e.v), e.w), zero));
+      const Mask haveOneSign = hn::Or(hn::Gt(e.least, zero), hn::Lt(e.greatest, zero));
       isCertain[i] = hn::And(haveOneSign, hn::And(hn::Ge(earliest, start), hn::Le(latest, end)));
     });
     lanes.candidates &= bitsOf(isPossible);
@@ -579,9 +579,7 @@ HWY_INLINE bool handOverCandidates(WideQuery& query, const TriangleBlock& block,
 
 /// Fetches the node on top of the stack, which comes next if nothing is found before: the cells of
 /// a ray follow each other, so that it is likely to be wanted, and far away in a large tree.
-HWY_INLINE void prefetchNext(const WideNode* nodes, std::uint32_t octant, const Stack& stack,
-                             std::size_t size) {
-  const WideChild next = WideChild::fromWord(stack.children[size - 1]);
+HWY_INLINE void prefetchNext(const WideNode* nodes, std::uint32_t octant, WideChild next) {
   if (!next.isNode())
     return;
   const WideNode& node = nodes[next.nodeIndex()];
@@ -651,10 +649,10 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
     }
     WideChild child = WideChild::fromWord(stack.children[--size]);
     while (child.isNode()) {
-      if (isLarge)
-        prefetchNext(nodes, query.octant, stack, size);
-      const WideNode& node = nodes[child.nodeIndex()];
       const std::uint32_t below = stack.children[size - 1];
+      if (isLarge)
+        prefetchNext(nodes, query.octant, WideChild::fromWord(below));
+      const WideNode& node = nodes[child.nodeIndex()];
       BoxTest test;
       boxRay.test(node, tMax, test);
       child = WideChild::fromWord(
@@ -673,12 +671,20 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
   }
 }
 
+/// Of a ray that is prepared, once and not each time that the walk goes on.
+HWY_INLINE void scaleDepths(WideQuery& query) {
+  const float half = 0.5f / query.reach;
+  query.depthPerT = half * std::fabs(query.directionZ);
+  query.depthPerZ = std::copysign(half, query.directionZ);
+}
+
 template <class Goal>
 bool search(WideQuery& query) noexcept {
   if (query.ray != nullptr && !prepareRay(query)) {
     query.isOutOfRange = true;
     return false;
   }
+  scaleDepths(query);
   Progress progress;
   progress.push(-std::numeric_limits<float>::infinity(), WideChild::end());
   progress.push(query.tMin, query.tree.root);

@@ -20,10 +20,6 @@ struct Crossing {
   bool isUpper = false;
 };
 
-[[nodiscard]] Axis nextAxis(Axis axis) noexcept {
-  return axis == Axis::X ? Axis::Y : axis == Axis::Y ? Axis::Z : Axis::X;
-}
-
 /// True if the box holds at least a point; false also if a member is NaN.
 template <class T>
 [[nodiscard]] bool hasSurface(const Box<T>& box) noexcept {

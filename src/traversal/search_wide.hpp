@@ -23,7 +23,7 @@ namespace planetree::detail {
 
 /// Whether the request sees all geometries; nearly always the first question tells.
 template <class T>
-[[nodiscard]] inline bool seesAll(const Request<T>& request) noexcept {
+[[nodiscard]] bool seesAll(const Request<T>& request) noexcept {
   return (request.mask & request.tree.wide->commonMask) != 0 ||
          std::all_of(request.tree.geometries.begin(), request.tree.geometries.end(),
                      [&](const GeometryEntry<T>& entry) { return request.sees(entry); });

@@ -43,9 +43,6 @@ void prepareForBlocks(const ShearedRay<double>& sheared, const Vec3d& origin, do
   query.shear[0] = static_cast<float>(sheared.shearX);
   query.shear[1] = static_cast<float>(sheared.shearY);
   query.directionZ = static_cast<float>(sheared.ray.direction[sheared.kz]);
-  const auto half = static_cast<float>(0.5 / distance);
-  query.depthPerT = half * std::fabs(query.directionZ);
-  query.depthPerZ = std::copysign(half, query.directionZ);
   query.edgeSlack = static_cast<float>(kEdgeSlackInRoundoffs * kRoundoffOfFloat * distance);
 }
 

@@ -4,6 +4,7 @@
 #include <planetree/geometry/vec3.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace planetree {
@@ -25,21 +26,18 @@ struct ShearedRay {
     const T x = std::fabs(components[0]);
     const T y = std::fabs(components[1]);
     const T z = std::fabs(components[2]);
-    // Which axis it is no branch can foresee, so there is none. The others follow it in turn, two
-    // bits for each.
+    // Which axis it is no branch can foresee, so there is none.
     const auto isYOverX = static_cast<unsigned>(!(x > y));
     const auto isZOverBoth = static_cast<unsigned>(!((x > y ? x : y) > z));
-    const unsigned third = 2u * isZOverBoth + (isYOverX & ~isZOverBoth);
-    const unsigned first = 0b00'10'01u >> 2u * third & 3u;
-    const unsigned second = 0b01'00'10u >> 2u * third & 3u;
-    kx = static_cast<Axis>(first);
-    ky = static_cast<Axis>(second);
-    kz = static_cast<Axis>(third);
+    kz = static_cast<Axis>(2u * isZOverBoth + (isYOverX & ~isZOverBoth));
+    kx = nextAxis(kz);
+    ky = nextAxis(kx);
+    const auto component = [&](Axis axis) { return components[static_cast<std::size_t>(axis)]; };
     // A direction that points nowhere makes the shear NaN, and with it every test a miss.
     const T along =
-        std::isfinite(components[third]) ? components[third] : std::numeric_limits<T>::quiet_NaN();
-    shearX = components[first] / along;
-    shearY = components[second] / along;
+        std::isfinite(component(kz)) ? component(kz) : std::numeric_limits<T>::quiet_NaN();
+    shearX = component(kx) / along;
+    shearY = component(ky) / along;
   }
 };
 
