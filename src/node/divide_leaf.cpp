@@ -1,6 +1,7 @@
 #include "node/divide_leaf.hpp"
 
 #include "support/assert.hpp"
+#include "support/sort_by.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -117,13 +118,8 @@ LeafDivider::Cut LeafDivider::findBestCut(std::span<std::uint32_t> places) {
   return best;
 }
 
-void LeafDivider::sortAlong(Axis axis, std::span<std::uint32_t> places) {
-  keyed_.clear();
-  for (const std::uint32_t place : places)
-    keyed_.emplace_back(centerAlong(boxes_[place], axis), place);
-  std::sort(keyed_.begin(), keyed_.end());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    places[i] = keyed_[i].second;
+void LeafDivider::sortAlong(Axis axis, std::span<std::uint32_t> places) const {
+  sortBy(places, [&](std::uint32_t place) { return centerAlong(boxes_[place], axis); });
 }
 
 void LeafDivider::countBlocks(std::span<const std::uint32_t> places,

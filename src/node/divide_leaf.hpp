@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace planetree::detail {
@@ -52,7 +51,7 @@ class LeafDivider {
                    std::vector<TriangleBlock>& blocks);
   [[nodiscard]] Cut halve(std::span<std::uint32_t> places);
   [[nodiscard]] Cut findBestCut(std::span<std::uint32_t> places);
-  void sortAlong(Axis axis, std::span<std::uint32_t> places);
+  void sortAlong(Axis axis, std::span<std::uint32_t> places) const;
   void countBlocks(std::span<const std::uint32_t> places, std::vector<std::uint32_t>& counts);
   [[nodiscard]] Box3 boundsOf(std::span<const std::uint32_t> places) const noexcept;
   [[nodiscard]] Box3 centersOf(std::span<const std::uint32_t> places) const noexcept;
@@ -63,7 +62,6 @@ class LeafDivider {
   std::vector<std::uint32_t> places_;  ///< indices of the boxes, those of each part together
 
   // Room that is used again.
-  std::vector<std::pair<float, std::uint32_t>> keyed_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> bestOrder_;
   std::vector<std::uint32_t> backwards_;

@@ -155,12 +155,11 @@ class Widener {
                    blocks_);
   }
 
+  /// That references fit, the binary form sees to.
   void requireIndices() const {
-    const bool areBlocksTooMany = blocks_.size() > std::size_t{WideChild::kMaxBlockIndex} + 1;
-    const bool areObjectsTooMany =
-        blocks_.empty() && references_.size() > std::size_t{WideChild::kMaxReference} + 1;
-    if (areBlocksTooMany || areObjectsTooMany)
-      throwTooLarge(areBlocksTooMany ? "blocks" : "references");
+    static_assert(WideChild::kMaxReference == kMaxReferenceCount - 1);
+    if (blocks_.size() > std::size_t{WideChild::kMaxBlockIndex} + 1)
+      throwTooLarge("blocks");
   }
   [[noreturn]] static void throwTooLarge(const std::string& what) {
     throw Error(ErrorCode::CapacityExceeded, "the wide form of the tree has too many " + what,
