@@ -115,7 +115,7 @@ TEST(LeafTriangles, CountsTheBlocksOfAnyOrder) {
       begin = end;
     }
     for (std::size_t i = places.size(); i-- > 1;)
-      std::swap(places[i], places[static_cast<std::size_t>(random.between(0.0, double(i)))]);
+      std::swap(places[i], places[random.below(i + 1)]);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <planetree/planetree.hpp>
 
 #include "compare_forms.hpp"
+#include "support/build_variants.hpp"
 #include "support/hard_cases.hpp"
 #include "support/random.hpp"
 #include "traversal/hit_choices.hpp"
@@ -18,15 +19,6 @@
 namespace planetree::detail {
 namespace {
 
-std::vector<BuildOptions> buildVariants() {
-  BuildOptions deep;
-  deep.leafSize = 1;
-  deep.stopsByCost = false;
-  BuildOptions leaf;
-  leaf.depthLimit = 1;
-  return {BuildOptions{}, BuildOptions::textbook(), deep, leaf};
-}
-
 template <class T>
 class WideForm : public testing::Test {};
 using Scalars = testing::Types<float, double>;
@@ -36,8 +28,8 @@ TYPED_TEST(WideForm, AgreesBitForBitWithTheBinaryFormOnEveryInstructionSet) {
   using T = TypeParam;
   std::uint64_t salt = 4000;
   for (const test::HardMesh<T>& hard : test::hardMeshes<T>()) {
-    for (const BuildOptions& options : buildVariants()) {
-      SCOPED_TRACE(hard.name + ", " + test::describeSeed());
+    for (const auto& [variant, options] : test::buildVariants()) {
+      SCOPED_TRACE(hard.name + ", " + variant + ", " + test::describeSeed());
       const auto tree = buildTree(hard.mesh.view(), options);
       compareForms(tree.view(), test::hardRays(hard.mesh, tree.bounds(), 200, ++salt));
       compareForms(tree.view(), test::invalidRays<T>());
@@ -107,7 +99,8 @@ TYPED_TEST(WideForm, HoldsShapesBesideBlocksOfTriangles) {
   scene.add(test::detail::soup<T>(12, 300, 0.1), {.mask = 1});
   scene.add(std::move(spheres), {.mask = 2});
   scene.add(test::detail::soup<T>(13, 300, 0.1), {.mask = 4});
-  for (const BuildOptions& options : buildVariants()) {
+  for (const auto& [variant, options] : test::buildVariants()) {
+    SCOPED_TRACE(variant);
     const auto tree = buildTree(scene, options);
     const auto rays = test::hardRays(TriangleMesh<T>{}, tree.bounds(), 700, 14);
     for (const std::uint32_t mask : {0xFFFF'FFFFu, 1u, 2u, 5u, 8u}) {
