@@ -4,6 +4,7 @@
 #include <planetree/geometry/box3.hpp>
 
 #include "node/leaf_packer.hpp"
+#include "node/part.hpp"
 #include "node/wide_node.hpp"
 
 #include <cstddef>
@@ -12,18 +13,6 @@
 #include <vector>
 
 namespace planetree::detail {
-
-/// What a wide tree is made of: splits of the binary form, splits of the objects of its leaves, and
-/// what these end in, a block, an object or nothing. Depth first, as the binary form itself.
-struct Part {
-  Box3 bounds = {};              ///< of the contents; empty if there is nothing in it
-  Axis axis = Axis::X;           ///< of a split: the left child lies before the right one along it
-  std::uint32_t right = 0;       ///< of a split: index of its right child, the left one comes next
-  std::uint32_t first = 0;       ///< the first block, or the reference of a single object
-  std::uint32_t blockCount = 0;  ///< blocks that hold all that is in it; 0 if there is no such row
-
-  [[nodiscard]] bool isSplit() const noexcept { return right != 0; }
-};
 
 /// Divides leaves of the binary form by their objects, until each part is a block or an object, no
 /// more than `kMaxLeafDivisions` times one after the other.

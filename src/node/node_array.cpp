@@ -18,8 +18,8 @@ void requireRoom(std::size_t count, std::size_t limit, const std::string& what) 
 }  // namespace
 
 std::span<std::uint32_t> NodeArray::addLeaf(std::size_t count) {
-  requireRoom(nodes_.size() + 1, kMaxNodeCount, "nodes");
-  requireRoom(references_.size() + count, kMaxReferenceCount, "references");
+  requireNodeRoom(nodes_.size() + 1);
+  requireReferenceRoom(references_.size() + count);
   const std::size_t first = references_.size();
   nodes_.emplace_back(
       LeafNode(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
@@ -33,7 +33,7 @@ std::span<Box3> NodeArray::boxesOfLastLeaf() noexcept {
 }
 
 std::size_t NodeArray::addSplit(Axis axis, float position) {
-  requireRoom(nodes_.size() + 1, kMaxNodeCount, "nodes");
+  requireNodeRoom(nodes_.size() + 1);
   nodes_.emplace_back(SplitNode(axis, position, 0));
   return nodes_.size() - 1;
 }
@@ -44,20 +44,12 @@ void NodeArray::beginRightChild(std::size_t split) {
                             static_cast<std::uint32_t>(nodes_.size() - split));
 }
 
-void NodeArray::append(const NodeArray& part) {
-  requireRoom(nodes_.size() + part.nodes_.size(), kMaxNodeCount, "nodes");
-  requireRoom(references_.size() + part.references_.size(), kMaxReferenceCount, "references");
-  const auto firstReference = static_cast<std::uint32_t>(references_.size());
-  for (const Node& node : part.nodes_) {
-    if (node.isLeaf()) {
-      const LeafNode& leaf = node.leaf();
-      nodes_.emplace_back(LeafNode(firstReference + leaf.firstReference(), leaf.count()));
-    } else {
-      nodes_.push_back(node);
-    }
-  }
-  references_.insert(references_.end(), part.references_.begin(), part.references_.end());
-  boxes_.insert(boxes_.end(), part.boxes_.begin(), part.boxes_.end());
+void requireNodeRoom(std::size_t nodeCount) {
+  requireRoom(nodeCount, kMaxNodeCount, "nodes");
+}
+
+void requireReferenceRoom(std::size_t referenceCount) {
+  requireRoom(referenceCount, kMaxReferenceCount, "references");
 }
 
 }  // namespace planetree::detail

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace planetree::detail {
@@ -29,20 +28,19 @@ class NodeArray {
   /// Makes what is added next the right child of that split.
   void beginRightChild(std::size_t split);
 
-  /// Adds a finished part behind what is here.
-  void append(const NodeArray& part);
-
-  [[nodiscard]] std::vector<Node> takeNodes() noexcept { return std::move(nodes_); }
-  [[nodiscard]] std::vector<std::uint32_t> takeReferences() noexcept {
-    return std::move(references_);
-  }
+  [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
+  [[nodiscard]] std::span<const std::uint32_t> references() const noexcept { return references_; }
   /// The box of each reference.
-  [[nodiscard]] std::vector<Box3> takeBoxes() noexcept { return std::move(boxes_); }
+  [[nodiscard]] std::span<const Box3> boxes() const noexcept { return boxes_; }
 
  private:
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> references_;
   std::vector<Box3> boxes_;
 };
+
+/// Throw `Error` with `CapacityExceeded` if a tree cannot have so many.
+void requireNodeRoom(std::size_t nodeCount);
+void requireReferenceRoom(std::size_t referenceCount);
 
 }  // namespace planetree::detail

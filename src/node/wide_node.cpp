@@ -1,7 +1,6 @@
 #include "node/wide_node.hpp"
 
 #include <cstddef>
-#include <memory>
 
 namespace planetree::detail {
 namespace {
@@ -15,19 +14,23 @@ static_assert(sizeof(WideNode) % alignof(TriangleBlock) == 0);
 
 }  // namespace
 
-WideTree::WideTree(const WideFrame& wideFrame, WideChild wideRoot,
-                   std::span<const WideNode> wideNodes, std::span<const TriangleBlock> wideBlocks)
+WideTree::WideTree(const WideFrame& wideFrame, WideChild wideRoot, std::size_t nodeCount,
+                   std::size_t blockCount)
     : frame(wideFrame),
       root(wideRoot),
-      isLarge(wideNodes.size() > kLargeNodeCount),
-      memory_(wideNodes.size_bytes() + wideBlocks.size_bytes()) {
+      isLarge(nodeCount > kLargeNodeCount),
+      memory_(nodeCount * sizeof(WideNode) + blockCount * sizeof(TriangleBlock)) {
   auto* const firstNode = reinterpret_cast<WideNode*>(memory_.data());
-  auto* const firstBlock =
-      reinterpret_cast<TriangleBlock*>(memory_.data() + wideNodes.size_bytes());
-  std::uninitialized_copy(wideNodes.begin(), wideNodes.end(), firstNode);
-  std::uninitialized_copy(wideBlocks.begin(), wideBlocks.end(), firstBlock);
-  nodes = {firstNode, wideNodes.size()};
-  blocks = {firstBlock, wideBlocks.size()};
+  nodes = {firstNode, nodeCount};
+  blocks = {reinterpret_cast<TriangleBlock*>(firstNode + nodeCount), blockCount};
+}
+
+std::span<WideNode> WideTree::nodesToWrite() noexcept {
+  return {reinterpret_cast<WideNode*>(memory_.data()), nodes.size()};
+}
+
+std::span<TriangleBlock> WideTree::blocksToWrite() noexcept {
+  return {reinterpret_cast<TriangleBlock*>(memory_.data() + nodes.size_bytes()), blocks.size()};
 }
 
 }  // namespace planetree::detail

@@ -131,9 +131,13 @@ struct alignas(16) WideFrame {
 struct WideTree {
   /// An empty tree.
   WideTree() = default;
-  /// Copies nodes and blocks to memory of their own, the nodes, which rays visit most, first.
-  WideTree(const WideFrame& wideFrame, WideChild wideRoot, std::span<const WideNode> wideNodes,
-           std::span<const TriangleBlock> wideBlocks);
+  /// With room for so many nodes and blocks in memory of their own, to be written before anyone
+  /// looks; the nodes, which rays visit most, first.
+  WideTree(const WideFrame& wideFrame, WideChild wideRoot, std::size_t nodeCount,
+           std::size_t blockCount);
+
+  [[nodiscard]] std::span<WideNode> nodesToWrite() noexcept;
+  [[nodiscard]] std::span<TriangleBlock> blocksToWrite() noexcept;
 
   WideFrame frame = {};
   std::uint32_t commonMask = 0;  ///< what the masks of all geometries have in common

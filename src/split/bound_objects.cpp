@@ -3,12 +3,13 @@
 #include <planetree/detail/bounding_table.hpp>
 #include <planetree/error.hpp>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace planetree::detail {
 namespace {
@@ -32,42 +33,71 @@ void numberObjects(std::span<GeometryEntry<T>> geometries, BuildReport& report) 
   report.objectCount = count;
 }
 
+/// What one batch of objects comes to.
+struct Batch {
+  Box3 bounds;
+  std::uint64_t skippedCount = 0;
+  std::vector<SkippedObject> skipped;  ///< the first few of them
+};
+
+/// Bounds the primitives from `first` on, one for each of `references`. Those of skipped objects
+/// get an empty box.
 template <class T>
-std::vector<BoundedObject> boundGeometry(const GeometryEntry<T>& geometry) {
-  std::vector<BoundedObject> objects(geometry.size);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, objects.size(), kBatchSize),
-                    [&](const tbb::blocked_range<std::size_t>& batch) {
-                      geometry.bounding->bound(
-                          geometry.range, static_cast<std::uint32_t>(batch.begin()),
-                          std::span(objects).subspan(batch.begin(), batch.size()));
-                    });
-  return objects;
+Batch boundBatch(const GeometryEntry<T>& geometry, std::uint32_t geometryIndex, std::uint32_t first,
+                 std::span<Reference> references) {
+  std::vector<BoundedObject> objects(references.size());
+  geometry.bounding->bound(geometry.range, first, objects);
+  Batch batch;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::uint32_t primitive = first + static_cast<std::uint32_t>(i);
+    references[i] = objects[i].reference;
+    references[i].object = geometry.firstObject + primitive;
+    if (!objects[i].skipReason) {
+      batch.bounds.extend(references[i].bounds);
+      continue;
+    }
+    references[i].bounds = {};
+    ++batch.skippedCount;
+    if (batch.skipped.size() < kReportedSkips)
+      batch.skipped.push_back({geometryIndex, primitive, *objects[i].skipReason});
+  }
+  return batch;
+}
+
+void report(const Batch& batch, BuildReport& report) {
+  report.skippedCount += batch.skippedCount;
+  for (const SkippedObject& skipped : batch.skipped) {
+    if (report.skipped.size() < kReportedSkips)
+      report.skipped.push_back(skipped);
+  }
 }
 
 }  // namespace
 
 template <class T>
-BoundedObjects boundObjects(std::span<GeometryEntry<T>> geometries, BuildReport& report) {
-  numberObjects(geometries, report);
+BoundedObjects boundObjects(std::span<GeometryEntry<T>> geometries, BuildReport& buildReport) {
+  numberObjects(geometries, buildReport);
   BoundedObjects bounded;
-  bounded.references.reserve(report.objectCount);
+  bounded.references.resize(buildReport.objectCount);
   for (std::size_t g = 0; g < geometries.size(); ++g) {
-    const std::vector<BoundedObject> objects = boundGeometry(geometries[g]);
-    for (std::size_t primitive = 0; primitive < objects.size(); ++primitive) {
-      const BoundedObject& object = objects[primitive];
-      if (object.skipReason) {
-        ++report.skippedCount;
-        if (report.skipped.size() < kReportedSkips) {
-          report.skipped.push_back({static_cast<std::uint32_t>(g),
-                                    static_cast<std::uint32_t>(primitive), *object.skipReason});
-        }
-        continue;
-      }
-      bounded.bounds.extend(object.reference.bounds);
-      bounded.references.push_back(object.reference);
-      bounded.references.back().object =
-          geometries[g].firstObject + static_cast<std::uint32_t>(primitive);
+    const GeometryEntry<T>& geometry = geometries[g];
+    const auto references = bounded.references.from(geometry.firstObject).first(geometry.size);
+    std::vector<Batch> batches((geometry.size + kBatchSize - 1) / kBatchSize);
+    tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t i) {
+      const std::size_t first = i * kBatchSize;
+      const std::size_t count = std::min<std::size_t>(kBatchSize, geometry.size - first);
+      batches[i] = boundBatch(geometry, static_cast<std::uint32_t>(g),
+                              static_cast<std::uint32_t>(first), references.subspan(first, count));
+    });
+    for (const Batch& batch : batches) {
+      bounded.bounds.extend(batch.bounds);
+      report(batch, buildReport);
     }
+  }
+  if (buildReport.skippedCount > 0) {
+    const auto skipped = std::ranges::remove_if(
+        bounded.references.values(), [](const Reference& r) { return r.bounds.isEmpty(); });
+    bounded.references.resize(bounded.references.size() - skipped.size());
   }
   return bounded;
 }

@@ -5,15 +5,16 @@
 #include <planetree/split/build_report.hpp>
 #include <planetree/split/reference.hpp>
 
+#include "support/plain_array.hpp"
+
 #include <span>
-#include <vector>
 
 namespace planetree::detail {
 
 /// What the builder starts from: one reference per object that can be hit, in rising order of the
 /// object numbers.
 struct BoundedObjects {
-  std::vector<Reference> references;
+  PlainArray<Reference> references;
   Box3 bounds;
 };
 

@@ -3,7 +3,7 @@
 #include <planetree/error.hpp>
 
 #include "mesh/pack_leaf.hpp"
-#include "node/node_array.hpp"
+#include "node/tree_pieces.hpp"
 #include "node/widen_tree.hpp"
 #include "split/bound_objects.hpp"
 #include "split/phase_clock.hpp"
@@ -125,19 +125,19 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     const ClipReferences clip = clipperFor(tree.geometries);
     const BuildOptions effective = optionsFor(tree);
     const TreeBuilder builder(effective, depthLimitFor(options, objects.references.size()), clip);
-    NodeArray array;
     const double budget = referenceBudget(options, objects.references.size());
-    builder.buildTree(std::move(objects.references), tree.bounds, 1, budget, array);
+    const TreePieces pieces = builder.build(std::move(objects.references), tree.bounds, budget);
     clock.end("split");
 
-    tree.nodes = array.takeNodes();
-    tree.references = array.takeReferences();
-    tree.nodes.shrink_to_fit();
-    tree.references.shrink_to_fit();
+    BinaryTree binary = joinPieces(pieces);
+    tree.nodes = std::move(binary.nodes);
+    tree.references = std::move(binary.references);
     clock.end("assemble");
 
-    FacePacker<T> packer(tree.geometries, centerOfWideTree(tree.bounds));
-    WideTree wide = widenTree(tree.nodes, tree.references, array.takeBoxes(), tree.bounds, packer);
+    const Vec3f center = centerOfWideTree(tree.bounds);
+    WideTree wide = widenTree(pieces, tree.bounds, [&] {
+      return std::make_unique<FacePacker<T>>(tree.geometries, center);
+    });
     wide.commonMask = commonMaskOf(tree.geometries);
     tree.wide = std::make_shared<const WideTree>(std::move(wide));
     clock.end("widen");

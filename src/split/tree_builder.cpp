@@ -1,20 +1,24 @@
 #include "split/tree_builder.hpp"
 
-#include <planetree/split/find_best_split_plane.hpp>
+#include "split/plane_search.hpp"
 
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace planetree::detail {
 namespace {
 
-// Below this many references a subtree is too little work to hand to another thread.
-constexpr std::size_t kParallelThreshold = 4096;
+// Below this many references one thread builds a subtree alone.
+constexpr std::size_t kSubtreeSize = 1u << 13u;
 
-void addLeaf(const std::vector<Reference>& references, const Box3& cell, NodeArray& tree) {
+void addLeaf(std::span<const Reference> references, const Box3& cell, NodeArray& tree) {
   const std::span<std::uint32_t> objects = tree.addLeaf(references.size());
   std::transform(references.begin(), references.end(), objects.begin(),
                  [](const Reference& reference) { return reference.object; });
@@ -24,46 +28,124 @@ void addLeaf(const std::vector<Reference>& references, const Box3& cell, NodeArr
 
 }  // namespace
 
-void TreeBuilder::buildTree(std::vector<Reference> references, const Box3& cell,
-                            std::uint32_t level, double budget, NodeArray& tree) const {
-  if (mustBeLeaf(references.size(), level))
-    return addLeaf(references, cell, tree);
-  const std::optional<SplitPlane> plane = findBestSplitPlane(references, cell, options_);
-  if (!plane || !isWorthIt(*plane, references.size()) || !fitsInto(budget, *plane))
-    return addLeaf(references, cell, tree);
+/// Builds subtrees one after the other, without taking memory for any cell: the references of the
+/// cells that are still to be built lie on a stack, and those of the next one on top.
+class TreeBuilder::SubtreeBuilder {
+ public:
+  explicit SubtreeBuilder(const TreeBuilder& builder)
+      : builder_(builder), search_(builder.options_), divider_(builder.options_, builder.clip_) {}
 
-  const bool isLarge = references.size() >= kParallelThreshold;
-  Division division = divide(std::move(references), *plane, cell);
-  const auto total = static_cast<double>(division.left.size() + division.right.size());
-  const auto budgetOf = [&](const std::vector<Reference>& side) {
-    return side.empty() ? 0.0 : budget * (static_cast<double>(side.size()) / total);
-  };
-  const double leftBudget = budgetOf(division.left);
-  const double rightBudget = budgetOf(division.right);
-
-  const std::size_t split = tree.addSplit(plane->axis, plane->position);
-  const auto buildLeft = [&] {
-    buildTree(std::move(division.left), calculateLeftBBox(*plane, cell), level + 1, leftBudget,
-              tree);
-  };
-  const auto buildRight = [&](NodeArray& right) {
-    buildTree(std::move(division.right), calculateRightBBox(*plane, cell), level + 1, rightBudget,
-              right);
-  };
-  if (isLarge) {
-    NodeArray right;
-    tbb::parallel_invoke(buildLeft, [&] { buildRight(right); });
-    tree.beginRightChild(split);
-    tree.append(right);
-  } else {
-    buildLeft();
-    tree.beginRightChild(split);
-    buildRight(tree);
+  [[nodiscard]] NodeArray build(std::span<const Reference> references, const Task& task) {
+    NodeArray tree;
+    stack_.resize(references.size());
+    std::ranges::copy(references, stack_.data());
+    build(0, task, tree);
+    return tree;
   }
+
+  [[nodiscard]] std::optional<SplitPlane> findPlane(std::span<const Reference> references,
+                                                    const Task& task) {
+    return builder_.findPlane(references, task, search_);
+  }
+
+ private:
+  /// Builds the cell whose references lie on the stack from `begin` on, and takes them off.
+  void build(std::size_t begin, const Task& task, NodeArray& tree) {
+    const std::span<const Reference> references = stack_.from(begin);
+    const std::optional<SplitPlane> plane = findPlane(references, task);
+    if (!plane) {
+      addLeaf(references, task.cell, tree);
+      stack_.resize(begin);
+      return;
+    }
+    divider_.divide(references, *plane, task.cell);
+    const Children children =
+        builder_.childrenOf(task, *plane, divider_.left().size(), divider_.right().size());
+    const std::size_t beginLeft = begin + divider_.right().size();
+    stack_.resize(beginLeft + divider_.left().size());
+    std::ranges::copy(divider_.right(), stack_.data() + begin);
+    std::ranges::copy(divider_.left(), stack_.data() + beginLeft);
+    const std::size_t split = tree.addSplit(plane->axis, plane->position);
+    build(beginLeft, children.left, tree);
+    tree.beginRightChild(split);
+    build(begin, children.right, tree);
+  }
+
+  const TreeBuilder& builder_;
+  PlaneSearch search_;
+  ReferenceDivider divider_;
+  PlainArray<Reference> stack_;
+};
+
+/// Lends a `SubtreeBuilder` to each thread that asks. Not by thread: while a shape clips itself its
+/// thread may take up other work, and come back here.
+class TreeBuilder::Workshop {
+ public:
+  explicit Workshop(const TreeBuilder& builder) : builder_(builder) {}
+
+  template <class Work>
+  auto with(const Work& work) {
+    std::unique_ptr<SubtreeBuilder> lent = take();
+    auto result = work(*lent);
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(lent));
+    return result;
+  }
+
+ private:
+  std::unique_ptr<SubtreeBuilder> take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty())
+      return std::make_unique<SubtreeBuilder>(builder_);
+    std::unique_ptr<SubtreeBuilder> taken = std::move(free_.back());
+    free_.pop_back();
+    return taken;
+  }
+
+  const TreeBuilder& builder_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<SubtreeBuilder>> free_;
+};
+
+TreePieces TreeBuilder::build(PlainArray<Reference> references, const Box3& cell,
+                              double budget) const {
+  Workshop workshop(*this);
+  return buildPieces(std::move(references), {.cell = cell, .level = 1, .budget = budget}, workshop);
 }
 
-bool TreeBuilder::mustBeLeaf(std::size_t count, std::uint32_t level) const noexcept {
-  return count <= options_.leafSize || level == depthLimit_;
+TreePieces TreeBuilder::buildPieces(PlainArray<Reference> references, const Task& task,
+                                    Workshop& workshop) const {
+  const auto asOnePiece = [&] {
+    return workshop.with([&](SubtreeBuilder& builder) {
+      return TreePieces(builder.build(references.values(), task));
+    });
+  };
+  if (references.size() < kSubtreeSize)
+    return asOnePiece();
+  PlaneSearch search(options_);
+  const std::optional<SplitPlane> plane = findPlane(references.values(), task, search);
+  if (!plane)
+    return asOnePiece();
+  DividedReferences divided =
+      divideTogether(std::move(references), *plane, task.cell, options_, clip_);
+  const Children children = childrenOf(task, *plane, divided.left.size(), divided.right.size());
+  std::optional<TreePieces> left;
+  std::optional<TreePieces> right;
+  tbb::parallel_invoke(
+      [&] { left = buildPieces(std::move(divided.left), children.left, workshop); },
+      [&] { right = buildPieces(std::move(divided.right), children.right, workshop); });
+  return {plane->axis, plane->position, std::move(*left), std::move(*right)};
+}
+
+std::optional<SplitPlane> TreeBuilder::findPlane(std::span<const Reference> references,
+                                                 const Task& task, PlaneSearch& search) const {
+  if (references.size() <= options_.leafSize || task.level == depthLimit_)
+    return std::nullopt;
+  const std::optional<SplitPlane> plane = search.find(references, task.cell);
+  if (!plane || !isWorthIt(*plane, references.size()))
+    return std::nullopt;
+  const auto total = static_cast<double>(plane->leftCount + plane->rightCount);
+  return total <= task.budget ? plane : std::nullopt;
 }
 
 bool TreeBuilder::isWorthIt(const SplitPlane& plane, std::size_t count) const noexcept {
@@ -73,47 +155,16 @@ bool TreeBuilder::isWorthIt(const SplitPlane& plane, std::size_t count) const no
   return !options_.stopsByCost || plane.cost < options_.cost.leafCost(count);
 }
 
-bool TreeBuilder::fitsInto(double budget, const SplitPlane& plane) noexcept {
-  return static_cast<double>(plane.leftCount + plane.rightCount) <= budget;
-}
-
-TreeBuilder::Division TreeBuilder::divide(std::vector<Reference> references,
-                                          const SplitPlane& plane, const Box3& cell) const {
-  Division division;
-  division.left.reserve(plane.leftCount);
-  division.right.reserve(plane.rightCount);
-  std::vector<std::uint32_t> straddlingLeft;
-  std::vector<std::uint32_t> straddlingRight;
-  for (const Reference& reference : references) {
-    const bool left = goesLeft(reference, plane, options_.planarRule);
-    const bool right = goesRight(reference, plane, options_.planarRule);
-    if (left && right) {
-      straddlingLeft.push_back(static_cast<std::uint32_t>(division.left.size()));
-      straddlingRight.push_back(static_cast<std::uint32_t>(division.right.size()));
-    }
-    if (left)
-      division.left.push_back(reference);
-    if (right)
-      division.right.push_back(reference);
-  }
-  if (options_.clipsReferences) {
-    clipStraddling(division.left, straddlingLeft, calculateLeftBBox(plane, cell));
-    clipStraddling(division.right, straddlingRight, calculateRightBBox(plane, cell));
-  }
-  return division;
-}
-
-void TreeBuilder::clipStraddling(std::vector<Reference>& references,
-                                 const std::vector<std::uint32_t>& straddling,
-                                 const Box3& cell) const {
-  std::vector<Reference> clipped;
-  clipped.reserve(straddling.size());
-  for (const std::uint32_t index : straddling)
-    clipped.push_back(references[index]);
-  clip_(cell, clipped);
-  for (std::size_t i = 0; i < straddling.size(); ++i)
-    references[straddling[i]] = clipped[i];
-  std::erase_if(references, [](const Reference& r) { return r.bounds.isEmpty(); });
+TreeBuilder::Children TreeBuilder::childrenOf(const Task& task, const SplitPlane& plane,
+                                              std::size_t leftCount,
+                                              std::size_t rightCount) noexcept {
+  const auto total = static_cast<double>(leftCount + rightCount);
+  const auto childOf = [&](const Box3& cell, std::size_t count) {
+    const double share = count == 0 ? 0.0 : static_cast<double>(count) / total;
+    return Task{.cell = cell, .level = task.level + 1, .budget = task.budget * share};
+  };
+  return {.left = childOf(calculateLeftBBox(plane, task.cell), leftCount),
+          .right = childOf(calculateRightBBox(plane, task.cell), rightCount)};
 }
 
 }  // namespace planetree::detail

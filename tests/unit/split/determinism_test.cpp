@@ -2,6 +2,7 @@
 #include <planetree/node/validate_tree.hpp>
 #include <planetree/scene.hpp>
 
+#include "../../../src/node/wide_node.hpp"
 #include "unit/split/random_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -20,8 +21,9 @@ namespace {
 using test::MeshGenerator;
 
 constexpr std::uint32_t kSeed = 141'421;
-// Large enough for the builder to hand subtrees to other threads at several levels.
-constexpr int kLargeFaceCount = 60'000;
+// Large enough for cells that all threads divide together, and for subtrees at several levels
+// below.
+constexpr int kLargeFaceCount = 90'000;
 
 template <class Word>
 void expectSameBytes(std::span<const Word> a, std::span<const Word> b) {
@@ -34,6 +36,8 @@ void expectSameTree(const KdTree<O>& a, const KdTree<O>& b) {
   expectSameBytes(a.nodes(), b.nodes());
   expectSameBytes(a.view().references, b.view().references);
   EXPECT_EQ(a.bounds(), b.bounds());
+  expectSameBytes(a.view().wide->nodes, b.view().wide->nodes);
+  expectSameBytes(a.view().wide->blocks, b.view().wide->blocks);
 }
 
 template <class T>

@@ -1,5 +1,6 @@
 #include <planetree/split/find_best_split_plane.hpp>
 
+#include "support/sorting_oracle.hpp"
 #include "support/textbook_oracle.hpp"
 #include "unit/split/random_references.hpp"
 
@@ -71,6 +72,13 @@ void expectOraclesPlane(const ReferenceSet& set, const BuildOptions& options) {
               test::findBestSplitPlaneByCounting(set.references, set.cell, options));
 }
 
+std::vector<Box3*> boxesOf(ReferenceSet& set) {
+  std::vector<Box3*> boxes = {&set.cell};
+  for (Reference& reference : set.references)
+    boxes.push_back(&reference.bounds);
+  return boxes;
+}
+
 Reference box(Vec3f lower, Vec3f upper, std::uint32_t leftSides = 0) {
   return {.bounds = {.lower = lower, .upper = upper}, .object = 0, .leftSides = leftSides};
 }
@@ -101,6 +109,56 @@ TEST(FindBestSplitPlane, IsThatOfTheOracleOnLargerSets) {
       SCOPED_TRACE(testing::Message()
                    << "seed " << kSeed + 1 << ", " << named.name << ", " << style.name);
       expectOraclesPlane(set, named.options);
+    }
+  }
+}
+
+TEST(FindBestSplitPlane, IsThatOfASweepOverAllEnds) {
+  ReferenceGenerator generator(kSeed + 5);
+  for (const NamedOptions& named : optionSets()) {
+    for (const ReferenceStyle& style : kReferenceStyles) {
+      for (const std::size_t count : {15u, 16u, 17u, 255u, 256u, 1000u, 3000u}) {
+        const ReferenceSet set = generator.set(style, count, 0.05);
+        SCOPED_TRACE(testing::Message() << "seed " << kSeed + 5 << ", " << named.name << ", "
+                                        << style.name << ", " << count << " references");
+        expectEqual(findBestSplitPlane(set.references, set.cell, named.options),
+                    test::findBestSplitPlaneBySorting(set.references, set.cell, named.options));
+        if (HasFailure())
+          return;
+      }
+    }
+  }
+}
+
+// Large enough for all threads to search together.
+TEST(FindBestSplitPlane, IsThatOfASweepOverAllEndsOfLargeCells) {
+  ReferenceGenerator generator(kSeed + 6);
+  for (const BuildOptions& options : {BuildOptions{}, BuildOptions::textbook()}) {
+    for (const ReferenceStyle& style : kReferenceStyles) {
+      const ReferenceSet set = generator.set(style, 80'000, 0.0);
+      SCOPED_TRACE(testing::Message() << "seed " << kSeed + 6 << ", " << style.name);
+      expectEqual(findBestSplitPlane(set.references, set.cell, options),
+                  test::findBestSplitPlaneBySorting(set.references, set.cell, options));
+      if (HasFailure())
+        return;
+    }
+  }
+}
+
+// Bins bound costs by the areas at their edges: those of extreme cells must not mislead them.
+TEST(FindBestSplitPlane, IsThatOfASweepAtAllScales) {
+  ReferenceGenerator generator(kSeed + 7);
+  for (const float scale : {0x1p-120f, 0x1p-40f, 0x1p-10f, 0x1p20f, 0x1p60f, 0x1p120f}) {
+    for (const ReferenceStyle& style : kReferenceStyles) {
+      ReferenceSet set = generator.set(style, 300, 0.3);
+      for (Box3* box : boxesOf(set)) {
+        box->lower = box->lower * scale;
+        box->upper = box->upper * scale;
+      }
+      SCOPED_TRACE(testing::Message()
+                   << "seed " << kSeed + 7 << ", " << style.name << ", times " << scale);
+      expectEqual(findBestSplitPlane(set.references, set.cell, {}),
+                  test::findBestSplitPlaneBySorting(set.references, set.cell, {}));
     }
   }
 }

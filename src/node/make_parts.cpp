@@ -1,0 +1,111 @@
+#include "node/make_parts.hpp"
+
+#include "node/divide_leaf.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace planetree::detail {
+namespace {
+
+/// The parts of one subtree, counted from its own first part, block and reference.
+struct SubtreeParts {
+  std::vector<Part> parts;
+  std::vector<TriangleBlock> blocks;
+};
+
+SubtreeParts makeSubtreeParts(const NodeArray& tree, LeafPacker& packer) {
+  SubtreeParts made;
+  LeafDivider divider;
+  std::vector<std::uint32_t> partOf(tree.nodes().size());
+  for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
+    partOf[i] = static_cast<std::uint32_t>(made.parts.size());
+    const Node& node = tree.nodes()[i];
+    if (!node.isLeaf()) {
+      made.parts.push_back({.axis = node.split().axis()});
+      continue;
+    }
+    const std::uint32_t first = node.leaf().firstReference();
+    const bool isPacked = packer.open(tree.references().subspan(first, node.leaf().count()));
+    divider.divide(tree.boxes().subspan(first, node.leaf().count()), isPacked ? &packer : nullptr,
+                   first, made.parts, made.blocks);
+  }
+  for (std::size_t i = tree.nodes().size(); i-- > 0;) {
+    if (tree.nodes()[i].isLeaf())
+      continue;
+    made.parts[partOf[i]].right = partOf[i + tree.nodes()[i].split().rightOffset()];
+    boundSplit(made.parts, partOf[i]);
+  }
+  return made;
+}
+
+/// Moves parts to where they are in the whole.
+void place(std::span<const Part> from, std::size_t firstPart, std::size_t firstBlock,
+           std::size_t firstReference, PlainArray<Part>& to) {
+  std::transform(from.begin(), from.end(), to.data() + firstPart, [&](Part part) {
+    if (part.isSplit())
+      part.right += static_cast<std::uint32_t>(firstPart);
+    part.first += static_cast<std::uint32_t>(part.blockCount > 0 ? firstBlock : firstReference);
+    return part;
+  });
+}
+
+}  // namespace
+
+void TreeParts::forAllUpwards(const std::function<void(std::size_t part)>& each) const {
+  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+    for (std::size_t part = pieces[i].partCount; part-- > 0;)
+      each(pieces[i].firstPart + part);
+  });
+  for (std::size_t i = tops.size(); i-- > 0;)
+    each(tops[i]);
+}
+
+TreeParts makeParts(const TreePieces& tree, const MakeLeafPacker& makePacker) {
+  std::vector<SubtreeParts> made(tree.subtrees().size());
+  tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+    made[i] = makeSubtreeParts(tree.subtrees()[i], *makePacker());
+  });
+
+  const std::vector<TreePieces::Place>& top = tree.top();
+  TreeParts all;
+  std::vector<std::size_t> partOf(top.size());
+  std::size_t partCount = 0;
+  for (std::size_t i = 0; i < top.size(); ++i) {
+    partOf[i] = partCount;
+    if (top[i].isSplit()) {
+      all.tops.push_back(partCount++);
+      continue;
+    }
+    SubtreeParts& subtree = made[top[i].subtree];
+    all.pieces.push_back({.firstPart = partCount,
+                          .partCount = subtree.parts.size(),
+                          .firstBlock = all.blockCount,
+                          .blocks = std::move(subtree.blocks)});
+    partCount += subtree.parts.size();
+    all.blockCount += all.pieces.back().blocks.size();
+  }
+
+  all.parts.resize(partCount);
+  std::vector<std::size_t> firstReference(made.size() + 1);
+  for (std::size_t i = 0; i < made.size(); ++i)
+    firstReference[i + 1] = firstReference[i] + tree.subtrees()[i].references().size();
+  tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+    const TreeParts::Piece& piece = all.pieces[i];
+    place(made[i].parts, piece.firstPart, piece.firstBlock, firstReference[i], all.parts);
+  });
+  for (std::size_t i = top.size(); i-- > 0;) {
+    if (!top[i].isSplit())
+      continue;
+    all.parts.data()[partOf[i]] = {.axis = top[i].axis,
+                                   .right = static_cast<std::uint32_t>(partOf[top[i].right])};
+    boundSplit(all.parts.values(), partOf[i]);
+  }
+  return all;
+}
+
+}  // namespace planetree::detail

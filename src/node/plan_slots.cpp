@@ -1,0 +1,63 @@
+#include "node/plan_slots.hpp"
+
+#include <limits>
+
+namespace planetree::detail {
+namespace {
+
+constexpr std::size_t kSlotCount = WideNode::kSlotCount;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// In terms of the test of a node, which takes as long as that of a block.
+constexpr double kNodeCost = 1.0;
+constexpr double kBlockCost = 1.0;
+/// What memory is worth: a node that a random ray meets less often than an average triangle costs
+/// more in caches than it saves. Two blocks in a row are then better than a node for them.
+constexpr double kNodePerObjectCost = 3.2;
+
+}  // namespace
+
+SlotPlanner::SlotPlanner(double treeArea, std::size_t referenceCount) noexcept
+    : nodeMemoryCost_(kNodePerObjectCost * treeArea / static_cast<double>(referenceCount)) {}
+
+void SlotPlanner::plan(std::span<const Part> parts, std::size_t index,
+                       std::span<SlotPlan> plans) const noexcept {
+  SlotPlan& plan = plans[index];
+  const Part& part = parts[index];
+  const double area = part.bounds.surfaceArea();
+  const auto rowCost = static_cast<float>(area * kBlockCost * part.blockCount);
+  plan.leftSlots.fill(SlotPlan::kRow);
+  plan.leftSlotsOfNode = 0;
+  if (!part.isSplit()) {
+    plan.cost.fill(rowCost);
+    if (!part.isEmpty())
+      plan.cost[0] = kInfinity;
+    return;
+  }
+  const SlotPlan& left = plans[leftChild(index)];
+  const SlotPlan& right = plans[rightChild(parts, index)];
+  for (std::size_t slots = 0; slots <= kSlotCount; ++slots) {
+    plan.cost[slots] = kInfinity;
+    for (std::size_t leftSlots = 0; leftSlots <= slots; ++leftSlots) {
+      const float cost = left.cost[leftSlots] + right.cost[slots - leftSlots];
+      if (cost < plan.cost[slots]) {
+        plan.cost[slots] = cost;
+        plan.leftSlots[slots] = static_cast<std::uint8_t>(leftSlots);
+      }
+    }
+  }
+  plan.leftSlotsOfNode = plan.leftSlots[kSlotCount];
+  const float nodeCost =
+      static_cast<float>(area * kNodeCost + nodeMemoryCost_) + plan.cost[kSlotCount];
+  const bool canBeRow = part.blockCount > 0 && part.blockCount <= WideChild::kMaxBlockCount;
+  const bool isRow = canBeRow && rowCost <= nodeCost;
+  const float oneSlotCost = isRow ? rowCost : nodeCost;
+  for (std::size_t slots = 1; slots <= kSlotCount; ++slots) {
+    if (oneSlotCost <= plan.cost[slots]) {
+      plan.cost[slots] = oneSlotCost;
+      plan.leftSlots[slots] = isRow ? SlotPlan::kRow : SlotPlan::kNode;
+    }
+  }
+}
+
+}  // namespace planetree::detail

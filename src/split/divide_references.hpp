@@ -1,0 +1,59 @@
+#pragma once
+
+#include <planetree/geometry/box3.hpp>
+#include <planetree/split/build_options.hpp>
+#include <planetree/split/reference.hpp>
+#include <planetree/split/split_plane.hpp>
+
+#include "support/plain_array.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+namespace planetree::detail {
+
+/// Shrinks the boxes of references to what their objects have inside a cell.
+using ClipReferences = std::function<void(const Box3& cell, std::span<Reference> references)>;
+
+/// Divides the references of one cell after the other by a plane, with room that is used again.
+class ReferenceDivider {
+ public:
+  /// Both must outlive the divider.
+  ReferenceDivider(const BuildOptions& options, const ClipReferences& clip)
+      : options_(options), clip_(clip) {}
+
+  /// Makes `left` and `right` those of these references that have a part there, in their order. The
+  /// boxes of objects on both sides are clipped, under `clipsReferences`. Linear.
+  void divide(std::span<const Reference> references, const SplitPlane& plane, const Box3& cell);
+
+  /// Until the next cell is divided.
+  [[nodiscard]] std::span<const Reference> left() const noexcept { return left_.values(); }
+  [[nodiscard]] std::span<const Reference> right() const noexcept { return right_.values(); }
+
+ private:
+  void clipStraddling(PlainArray<Reference>& side, std::span<const std::uint32_t> straddling,
+                      const Box3& cell);
+
+  const BuildOptions& options_;
+  const ClipReferences& clip_;
+  PlainArray<Reference> left_;
+  PlainArray<Reference> right_;
+  PlainArray<std::uint32_t> straddlingLeft_;   ///< where they are on the left
+  PlainArray<std::uint32_t> straddlingRight_;  ///< where they are on the right
+  PlainArray<Reference> clipped_;
+};
+
+/// The references on both sides of a plane, each in an array of its own.
+struct DividedReferences {
+  PlainArray<Reference> left;
+  PlainArray<Reference> right;
+};
+
+/// Does the same with all threads of the current arena, and frees what was divided.
+[[nodiscard]] DividedReferences divideTogether(PlainArray<Reference> references,
+                                               const SplitPlane& plane, const Box3& cell,
+                                               const BuildOptions& options,
+                                               const ClipReferences& clip);
+
+}  // namespace planetree::detail

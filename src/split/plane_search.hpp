@@ -1,0 +1,74 @@
+#pragma once
+
+#include <planetree/split/build_options.hpp>
+#include <planetree/split/reference.hpp>
+#include <planetree/split/split_plane.hpp>
+
+#include "split/plane_bins.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace planetree::detail {
+
+/// Finds the best plane of one cell after the other, with room that is used again.
+///
+/// By branch and bound: bins say how many objects are at least on each side of any plane through a
+/// bin, and thus what such a plane costs at least. Only the ends in bins that may hold the best
+/// plane are sorted and swept. The result is that of a sweep over all ends, plane for plane, in
+/// about the time of a search among the edges of the bins.
+class PlaneSearch {
+ public:
+  /// `options` must outlive the search.
+  explicit PlaneSearch(const BuildOptions& options) : options_(options) {}
+
+  /// What `findBestSplitPlane` returns. Uses more than one thread for many references, those of the
+  /// arena that it is called in.
+  [[nodiscard]] std::optional<SplitPlane> find(std::span<const Reference> references,
+                                               const Box3& cell);
+
+ private:
+  static constexpr std::size_t kMaxBinCount = BinCounts::kMaxBinCount;
+
+  /// An end of a box, or a box that is flat: its position, and below it what it is. Their order is
+  /// that of their positions.
+  using Event = std::uint64_t;
+  using Events = std::array<std::vector<Event>, 3>;
+
+  /// What a plane costs, as a function of its distance from the lower wall: but for rounding that
+  /// of `CostModel::splitCost`.
+  struct AxisCost {
+    double constant = 0.0;  ///< of one object
+    double slope = 0.0;     ///< of one object
+    double size = 0.0;      ///< of the cell
+  };
+
+  void count(std::span<const Reference> references, const BinScale& scale);
+  void sumUp(std::size_t binCount) noexcept;
+  void prepareCosts(const Box3& cell) noexcept;
+  [[nodiscard]] double costOf(std::size_t axis, double distance, double leftCount,
+                              double rightCount) const noexcept;
+  [[nodiscard]] double cheapestEdge(const BinScale& scale) const noexcept;
+  /// Opens the bins that may hold a plane of at most this cost.
+  void openBins(const BinScale& scale, double cost) noexcept;
+  void gather(std::span<const Reference> references, const BinScale& scale);
+  void gatherInto(Events& events, std::span<const Reference> references,
+                  const BinScale& scale) const;
+  void sweep(Axis axis, const Box3& cell, const BinScale& scale, std::optional<SplitPlane>& best);
+
+  const BuildOptions& options_;
+  double cellArea_ = 0.0;
+  std::array<AxisCost, 3> costs_ = {};
+  BinCounts counts_;
+  /// By axis and bin: ends of boxes in lower bins, and in this and higher ones.
+  std::array<std::array<std::uint32_t, kMaxBinCount + 1>, 3> lowerEndsBefore_ = {};
+  std::array<std::array<std::uint32_t, kMaxBinCount + 1>, 3> upperEndsFrom_ = {};
+  std::array<std::array<bool, kMaxBinCount>, 3> isOpen_ = {};
+  Events events_;
+};
+
+}  // namespace planetree::detail
