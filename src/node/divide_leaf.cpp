@@ -1,7 +1,6 @@
 #include "node/divide_leaf.hpp"
 
 #include "support/assert.hpp"
-#include "support/sort_by.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -118,8 +117,16 @@ LeafDivider::Cut LeafDivider::findBestCut(std::span<std::uint32_t> places) {
   return best;
 }
 
-void LeafDivider::sortAlong(Axis axis, std::span<std::uint32_t> places) const {
-  sortBy(places, [&](std::uint32_t place) { return centerAlong(boxes_[place], axis); });
+void LeafDivider::sortAlong(Axis axis, std::span<std::uint32_t> places) {
+  words_.resize(places.size());
+  const std::span<std::uint64_t> words = words_.values();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const float center = centerAlong(boxes_[places[i]], axis);
+    words[i] = std::uint64_t{orderedBits(center)} << 32u | places[i];
+  }
+  sorter_.sort(words);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = static_cast<std::uint32_t>(words[i]);
 }
 
 void LeafDivider::countBlocks(std::span<const std::uint32_t> places,

@@ -6,6 +6,8 @@
 #include "node/leaf_packer.hpp"
 #include "node/part.hpp"
 #include "node/wide_node.hpp"
+#include "support/plain_array.hpp"
+#include "support/sort_words.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +42,7 @@ class LeafDivider {
                    std::vector<TriangleBlock>& blocks);
   [[nodiscard]] Cut halve(std::span<std::uint32_t> places);
   [[nodiscard]] Cut findBestCut(std::span<std::uint32_t> places);
-  void sortAlong(Axis axis, std::span<std::uint32_t> places) const;
+  void sortAlong(Axis axis, std::span<std::uint32_t> places);
   void countBlocks(std::span<const std::uint32_t> places, std::vector<std::uint32_t>& counts);
   [[nodiscard]] Box3 boundsOf(std::span<const std::uint32_t> places) const noexcept;
   [[nodiscard]] Box3 centersOf(std::span<const std::uint32_t> places) const noexcept;
@@ -51,6 +53,8 @@ class LeafDivider {
   std::vector<std::uint32_t> places_;  ///< indices of the boxes, those of each part together
 
   // Room that is used again.
+  WordSorter sorter_;
+  PlainArray<std::uint64_t> words_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> bestOrder_;
   std::vector<std::uint32_t> backwards_;

@@ -6,10 +6,8 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 namespace planetree::detail {
@@ -24,26 +22,15 @@ constexpr std::size_t kGrainSize = 1u << 14u;
 constexpr double kRoundingOfCosts = 1e-9;
 
 enum class EventKind : std::uint8_t { LowerEnd, UpperEnd, LeftPlanar, RightPlanar };
-constexpr unsigned kKindBits = 2;
-
-/// An unsigned number whose order is that of the positions. Adding zero turns -0 into +0: the plane
-/// must not depend on which of them came first.
-std::uint32_t orderedBits(float position) noexcept {
-  const auto bits = std::bit_cast<std::uint32_t>(position + 0.0f);
-  return (bits >> 31u) != 0 ? ~bits : bits | 0x8000'0000u;
-}
 
 std::uint64_t eventOf(float position, EventKind kind) noexcept {
-  return std::uint64_t{orderedBits(position)} << kKindBits | static_cast<std::uint64_t>(kind);
+  return std::uint64_t{orderedBits(position)} << 32u | static_cast<std::uint64_t>(kind);
 }
-
 EventKind kindOf(std::uint64_t event) noexcept {
-  return static_cast<EventKind>(event & ((1u << kKindBits) - 1u));
+  return static_cast<EventKind>(event & 0xFFFF'FFFFu);
 }
-
-float positionOf(std::uint64_t event) noexcept {
-  const auto bits = static_cast<std::uint32_t>(event >> kKindBits);
-  return std::bit_cast<float>((bits >> 31u) != 0 ? bits & 0x7FFF'FFFFu : ~bits);
+std::uint32_t placeOf(std::uint64_t event) noexcept {
+  return static_cast<std::uint32_t>(event >> 32u);
 }
 
 /// More bins leave fewer ends to be sorted, and cost more themselves.
@@ -109,29 +96,33 @@ class PlaneTrial {
 
 }  // namespace
 
-std::optional<SplitPlane> PlaneSearch::find(std::span<const Reference> references,
-                                            const Box3& cell) {
+std::optional<SplitPlane> PlaneSearch::find(std::span<const Reference> references, const Box3& cell,
+                                            double limit) {
+  if (options_.cost.traversalCost * (1.0 - options_.cost.emptyBonus) >= limit)
+    return std::nullopt;
   const BinScale scale(cell, binCountFor(references.size()));
   prepareCosts(cell);
   // A plane at an edge between bins is no candidate, but hardly cheaper than the best of them. If
   // it is, all bins that are no dearer than what was found have to be opened after all.
-  double bound = std::numeric_limits<double>::infinity();
+  double bound = limit;
   if (scale.binCount() > 1) {
     count(references, scale);
     sumUp(scale.binCount());
-    bound = cheapestEdge(scale);
+    bound = std::min(bound, cheapestEdge(scale));
   }
-  while (true) {
-    openBins(scale, bound);
+  while (openBins(scale, bound)) {
     gather(references, scale);
     std::optional<SplitPlane> best;
     for (const Axis axis : kAxes)
       sweep(axis, cell, scale, best);
     const double found = best ? best->cost : std::numeric_limits<double>::infinity();
     if (found <= bound)
-      return best;
-    bound = found;
+      return found < limit ? best : std::nullopt;
+    if (bound >= limit)
+      return std::nullopt;
+    bound = std::min(found, limit);
   }
+  return std::nullopt;
 }
 
 void PlaneSearch::count(std::span<const Reference> references, const BinScale& scale) {
@@ -207,12 +198,14 @@ double PlaneSearch::cheapestEdge(const BinScale& scale) const noexcept {
   return cheapest;
 }
 
-void PlaneSearch::openBins(const BinScale& scale, double cost) noexcept {
+bool PlaneSearch::openBins(const BinScale& scale, double cost) noexcept {
+  bool isAnyOpen = false;
   for (const Axis axis : kAxes) {
     const auto a = static_cast<std::size_t>(axis);
     if (scale.binCount() == 1) {
       isOpen_[a][0] = true;
       lowerEndsBefore_[a][0] = 0;
+      isAnyOpen = true;
       continue;
     }
     for (std::size_t bin = 0; bin < scale.binCount(); ++bin) {
@@ -223,21 +216,23 @@ void PlaneSearch::openBins(const BinScale& scale, double cost) noexcept {
       const double least = std::min(costOf(a, scale.lowestIn(axis, bin), leftCount, rightCount),
                                     costOf(a, scale.highestIn(axis, bin), leftCount, rightCount));
       isOpen_[a][bin] = least * (1.0 - kRoundingOfCosts) <= cost;
+      isAnyOpen |= isOpen_[a][bin];
     }
   }
+  return isAnyOpen;
 }
 
 void PlaneSearch::gather(std::span<const Reference> references, const BinScale& scale) {
-  for (auto& events : events_)
-    events.clear();
+  for (EventList& list : events_)
+    list.count = 0;
   if (scale.binCount() == 1) {
     for (std::size_t a = 0; a < 3; ++a)
       upperEndsFrom_[a][0] = static_cast<std::uint32_t>(references.size());
   }
   if (references.size() < kParallelThreshold) {
     gatherInto(events_, references, scale);
-    for (auto& events : events_)
-      std::sort(events.begin(), events.end());
+    for (std::size_t a = 0; a < 3; ++a)
+      sorters_[a].sort(events_[a].events());
     return;
   }
   tbb::enumerable_thread_specific<Events> gathered;
@@ -246,12 +241,17 @@ void PlaneSearch::gather(std::span<const Reference> references, const BinScale& 
                       gatherInto(gathered.local(), references.subspan(range.begin(), range.size()),
                                  scale);
                     });
-  for (const Events& part : gathered) {
-    for (std::size_t a = 0; a < 3; ++a)
-      events_[a].insert(events_[a].end(), part[a].begin(), part[a].end());
-  }
-  for (auto& events : events_)
-    tbb::parallel_sort(events.begin(), events.end());
+  tbb::parallel_for(std::size_t{0}, events_.size(), [&](std::size_t a) {
+    EventList& all = events_[a];
+    for (Events& part : gathered) {
+      const std::span<const Event> events = part[a].events();
+      const std::size_t before = all.count;
+      all.count += events.size();
+      all.room.resize(std::max(all.room.size(), all.count));
+      std::ranges::copy(events, all.room.data() + before);
+    }
+    sorters_[a].sort(all.events());
+  });
 }
 
 void PlaneSearch::gatherInto(Events& events, std::span<const Reference> references,
@@ -264,10 +264,9 @@ void PlaneSearch::gatherInto(Events& events, std::span<const Reference> referenc
       continue;
     }
     // One more than there are events, since each is written before it is known to be one.
-    std::vector<Event>& to = events[a];
-    const std::size_t before = to.size();
-    to.resize(before + 2 * references.size() + 1);
-    Event* end = to.data() + before;
+    EventList& list = events[a];
+    list.room.resize(std::max(list.room.size(), list.count + 2 * references.size() + 1));
+    Event* end = list.room.data() + list.count;
     for (const Reference& reference : references) {
       const float lower = reference.bounds.lower[axis];
       const float upper = reference.bounds.upper[axis];
@@ -280,7 +279,7 @@ void PlaneSearch::gatherInto(Events& events, std::span<const Reference> referenc
       *end = eventOf(upper, EventKind::UpperEnd);
       end += !isPlanar && isOpen[scale.binOf(axis, upper)] ? 1 : 0;
     }
-    to.resize(static_cast<std::size_t>(end - to.data()));
+    list.count = static_cast<std::size_t>(end - list.room.data());
   }
 }
 
@@ -288,7 +287,7 @@ void PlaneSearch::sweep(Axis axis, const Box3& cell, const BinScale& scale,
                         std::optional<SplitPlane>& best) {
   const auto a = static_cast<std::size_t>(axis);
   const PlaneTrial trial(options_, cell, cellArea_, axis, best);
-  const std::vector<Event>& events = events_[a];
+  const std::span<const Event> events = events_[a].events();
   // What begins or lies before the plane has a part on the left; what ends behind it or lies behind
   // it, on the right. What ends at the plane has no part on the right, and what begins at it none
   // on the left.
@@ -296,7 +295,7 @@ void PlaneSearch::sweep(Axis axis, const Box3& cell, const BinScale& scale,
   std::size_t leftCount = 0;
   std::size_t rightCount = 0;
   for (std::size_t i = 0; i < events.size();) {
-    const float position = positionOf(events[i]);
+    const float position = fromOrderedBits(placeOf(events[i]));
     std::size_t bin = scale.binOf(axis, position);
     if (bin >= endOfOpenBins) {
       // Where the row of open bins ends, what lies up to the next one is counted by its bins.
@@ -309,8 +308,8 @@ void PlaneSearch::sweep(Axis axis, const Box3& cell, const BinScale& scale,
       endOfOpenBins = bin;
     }
     std::array<std::size_t, 4> counts = {};
-    const Event place = events[i] >> kKindBits;
-    for (; i < events.size() && events[i] >> kKindBits == place; ++i)
+    const std::uint32_t place = placeOf(events[i]);
+    for (; i < events.size() && placeOf(events[i]) == place; ++i)
       ++counts[static_cast<std::size_t>(kindOf(events[i]))];
     const std::size_t leftPlanarCount = counts[static_cast<std::size_t>(EventKind::LeftPlanar)];
     const std::size_t rightPlanarCount = counts[static_cast<std::size_t>(EventKind::RightPlanar)];

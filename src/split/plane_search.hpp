@@ -5,13 +5,15 @@
 #include <planetree/split/split_plane.hpp>
 
 #include "split/plane_bins.hpp"
+#include "support/plain_array.hpp"
+#include "support/sort_words.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace planetree::detail {
 
@@ -26,10 +28,11 @@ class PlaneSearch {
   /// `options` must outlive the search.
   explicit PlaneSearch(const BuildOptions& options) : options_(options) {}
 
-  /// What `findBestSplitPlane` returns. Uses more than one thread for many references, those of the
-  /// arena that it is called in.
-  [[nodiscard]] std::optional<SplitPlane> find(std::span<const Reference> references,
-                                               const Box3& cell);
+  /// What `findBestSplitPlane` returns, if that costs less than `limit`; else nothing. Uses more
+  /// than one thread for many references, those of the arena that it is called in.
+  [[nodiscard]] std::optional<SplitPlane> find(
+      std::span<const Reference> references, const Box3& cell,
+      double limit = std::numeric_limits<double>::infinity());
 
  private:
   static constexpr std::size_t kMaxBinCount = BinCounts::kMaxBinCount;
@@ -37,7 +40,13 @@ class PlaneSearch {
   /// An end of a box, or a box that is flat: its position, and below it what it is. Their order is
   /// that of their positions.
   using Event = std::uint64_t;
-  using Events = std::array<std::vector<Event>, 3>;
+  struct EventList {
+    PlainArray<Event> room;  ///< only grows
+    std::size_t count = 0;
+
+    [[nodiscard]] std::span<Event> events() noexcept { return room.values().first(count); }
+  };
+  using Events = std::array<EventList, 3>;
 
   /// What a plane costs, as a function of its distance from the lower wall: but for rounding that
   /// of `CostModel::splitCost`.
@@ -53,8 +62,8 @@ class PlaneSearch {
   [[nodiscard]] double costOf(std::size_t axis, double distance, double leftCount,
                               double rightCount) const noexcept;
   [[nodiscard]] double cheapestEdge(const BinScale& scale) const noexcept;
-  /// Opens the bins that may hold a plane of at most this cost.
-  void openBins(const BinScale& scale, double cost) noexcept;
+  /// Opens the bins that may hold a plane of at most this cost; false if there are none.
+  bool openBins(const BinScale& scale, double cost) noexcept;
   void gather(std::span<const Reference> references, const BinScale& scale);
   void gatherInto(Events& events, std::span<const Reference> references,
                   const BinScale& scale) const;
@@ -69,6 +78,7 @@ class PlaneSearch {
   std::array<std::array<std::uint32_t, kMaxBinCount + 1>, 3> upperEndsFrom_ = {};
   std::array<std::array<bool, kMaxBinCount>, 3> isOpen_ = {};
   Events events_;
+  std::array<WordSorter, 3> sorters_;
 };
 
 }  // namespace planetree::detail

@@ -5,6 +5,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -141,18 +142,16 @@ std::optional<SplitPlane> TreeBuilder::findPlane(std::span<const Reference> refe
                                                  const Task& task, PlaneSearch& search) const {
   if (references.size() <= options_.leafSize || task.level == depthLimit_)
     return std::nullopt;
-  const std::optional<SplitPlane> plane = search.find(references, task.cell);
-  if (!plane || !isWorthIt(*plane, references.size()))
+  const double limit = options_.stopsByCost ? options_.cost.leafCost(references.size())
+                                            : std::numeric_limits<double>::infinity();
+  const std::optional<SplitPlane> plane = search.find(references, task.cell, limit);
+  if (!plane)
+    return std::nullopt;
+  const bool hasEmptySide = plane->leftCount == 0 || plane->rightCount == 0;
+  if (hasEmptySide && !options_.allowsEmptyCells)
     return std::nullopt;
   const auto total = static_cast<double>(plane->leftCount + plane->rightCount);
   return total <= task.budget ? plane : std::nullopt;
-}
-
-bool TreeBuilder::isWorthIt(const SplitPlane& plane, std::size_t count) const noexcept {
-  const bool hasEmptySide = plane.leftCount == 0 || plane.rightCount == 0;
-  if (hasEmptySide && !options_.allowsEmptyCells)
-    return false;
-  return !options_.stopsByCost || plane.cost < options_.cost.leafCost(count);
 }
 
 TreeBuilder::Children TreeBuilder::childrenOf(const Task& task, const SplitPlane& plane,

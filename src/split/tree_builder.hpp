@@ -55,7 +55,6 @@ class TreeBuilder {
   /// The plane that divides a cell; nothing if it becomes a leaf.
   [[nodiscard]] std::optional<SplitPlane> findPlane(std::span<const Reference> references,
                                                     const Task& task, PlaneSearch& search) const;
-  [[nodiscard]] bool isWorthIt(const SplitPlane& plane, std::size_t count) const noexcept;
   [[nodiscard]] static Children childrenOf(const Task& task, const SplitPlane& plane,
                                            std::size_t leftCount, std::size_t rightCount) noexcept;
 
