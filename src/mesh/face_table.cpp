@@ -31,8 +31,15 @@ void boundFaces(const void* range, std::uint32_t first, std::span<BoundedObject>
   for (BoundedObject& object : objects) {
     const std::uint32_t face = first++;
     object.skipReason = skipReasonOf(mesh, face);
-    if (!object.skipReason)
-      object.reference = boundObject(mesh[face]).reference;
+    if (object.skipReason)
+      continue;
+    // What `boundObject` would ask the face for, with its corners read once.
+    const auto [a, b, c] = mesh.corners(face);
+    Reference& reference = object.reference;
+    reference.bounds.extend(a);
+    reference.bounds.extend(b);
+    reference.bounds.extend(c);
+    reference.leftSides = triangleLeftSides(a, b, c);
   }
 }
 

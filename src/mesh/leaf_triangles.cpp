@@ -35,33 +35,38 @@ void LeafTriangles::add(const std::array<Vec3f, 3>& corners, std::uint32_t objec
 void LeafTriangles::countBlocks(std::span<const std::uint32_t> places,
                                 std::span<std::uint32_t> counts) {
   std::uint32_t blockCount = 0;
-  std::size_t laneCount = 0;
+  std::size_t laneCount = TriangleBlock::kLaneCount;  // as if there were a full block already
   std::size_t positionCount = 0;
-  const auto isNew = [&](const Triangle& triangle, std::size_t corner) {
-    const std::uint32_t position = triangle.corners[corner];
-    return usedIn_[position] != countedBlocks_ &&
-           std::find(triangle.corners.begin(), triangle.corners.begin() + corner, position) ==
-               triangle.corners.begin() + corner;
-  };
-  const auto newPositionsOf = [&](const Triangle& triangle) -> std::size_t {
-    return std::size_t{isNew(triangle, 0)} + isNew(triangle, 1) + isNew(triangle, 2);
-  };
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Triangle& triangle = triangles_[places[i]];
-    const bool fits = laneCount < TriangleBlock::kLaneCount &&
-                      positionCount + newPositionsOf(triangle) <= TriangleBlock::kPositionCount;
-    if (blockCount == 0 || !fits) {
+    const auto [a, b, c] = triangles_[places[i]].corners;
+    std::size_t newCount = countNewCorners(triangles_[places[i]]);
+    if (laneCount == TriangleBlock::kLaneCount ||
+        positionCount + newCount > TriangleBlock::kPositionCount) {
       ++blockCount;
       ++countedBlocks_;
       laneCount = 0;
       positionCount = 0;
+      newCount = countNewCorners(triangles_[places[i]]);
     }
-    positionCount += newPositionsOf(triangle);
+    positionCount += newCount;
     ++laneCount;
-    for (const std::uint32_t position : triangle.corners)
-      usedIn_[position] = countedBlocks_;
+    usedIn_[a] = countedBlocks_;
+    usedIn_[b] = countedBlocks_;
+    usedIn_[c] = countedBlocks_;
     counts[i] = blockCount;
   }
+}
+
+std::size_t LeafTriangles::countNewCorners(const Triangle& triangle) const noexcept {
+  const auto [a, b, c] = triangle.corners;
+  // Without branches: which corners are new is as good as random.
+  const auto isNew = [&](std::uint32_t corner) {
+    return static_cast<unsigned>(usedIn_[corner] != countedBlocks_);
+  };
+  const auto differ = [](std::uint32_t one, std::uint32_t other) {
+    return static_cast<unsigned>(one != other);
+  };
+  return isNew(a) + (isNew(b) & differ(b, a)) + (isNew(c) & differ(c, a) & differ(c, b));
 }
 
 TriangleBlock LeafTriangles::pack(std::span<const std::uint32_t> places) const {

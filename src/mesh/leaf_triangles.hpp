@@ -33,6 +33,8 @@ class LeafTriangles {
     std::uint32_t object;
   };
 
+  /// How many positions a triangle adds to the block that is being counted.
+  [[nodiscard]] std::size_t countNewCorners(const Triangle& triangle) const noexcept;
   [[nodiscard]] std::uint32_t indexOf(const Vec3f& position);
   void growTable();
   [[nodiscard]] std::size_t homeOf(const Vec3f& position) const noexcept;

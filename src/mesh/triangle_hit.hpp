@@ -3,6 +3,7 @@
 #include <planetree/hit/hit.hpp>
 #include <planetree/mesh/triangle_intersection.hpp>
 
+#include <cstdint>
 #include <optional>
 
 namespace planetree::detail {
@@ -39,6 +40,15 @@ template <class T>
     hit.normal = static_cast<Vec3<T>>(found->isFromFront ? -along : along);
   }
   return hit;
+}
+
+/// Bit i: the normal's component along axis i is negative. From the corners alone.
+template <class T>
+[[nodiscard]] std::uint32_t triangleLeftSides(const Vec3<T>& a, const Vec3<T>& b,
+                                              const Vec3<T>& c) noexcept {
+  const auto corner = static_cast<Vec3d>(a);
+  const Vec3d normal = cross(static_cast<Vec3d>(b) - corner, static_cast<Vec3d>(c) - corner);
+  return (normal.x < 0.0 ? 1u : 0u) | (normal.y < 0.0 ? 2u : 0u) | (normal.z < 0.0 ? 4u : 0u);
 }
 
 /// The sign of the normal's component along the axis, from the corners alone.

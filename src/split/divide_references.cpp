@@ -23,14 +23,32 @@ void ReferenceDivider::divide(std::span<const Reference> references, const Split
   right_.resize(count);
   straddlingLeft_.resize(count);
   straddlingRight_.resize(count);
+  const std::size_t straddlingCount =
+      plane.axis == Axis::X   ? divideAlong<Axis::X>(references, plane)
+      : plane.axis == Axis::Y ? divideAlong<Axis::Y>(references, plane)
+                              : divideAlong<Axis::Z>(references, plane);
+  if (options_.clipsReferences && straddlingCount > 0) {
+    clipStraddling(left_, straddlingLeft_.values().first(straddlingCount),
+                   calculateLeftBBox(plane, cell));
+    clipStraddling(right_, straddlingRight_.values().first(straddlingCount),
+                   calculateRightBBox(plane, cell));
+  }
+}
+
+template <Axis kAxis>
+std::size_t ReferenceDivider::divideAlong(std::span<const Reference> references,
+                                          const SplitPlane& plane) noexcept {
+  SplitPlane along = plane;
+  along.axis = kAxis;  // known to the compiler from here on
+  const PlanarRule rule = options_.planarRule;
   // Each reference is written to both sides, and stays where it belongs: a branch would be guessed
   // wrong for half of them.
   std::size_t leftCount = 0;
   std::size_t rightCount = 0;
   std::size_t straddlingCount = 0;
   for (const Reference& reference : references) {
-    const bool isLeft = goesLeft(reference, plane, options_.planarRule);
-    const bool isRight = goesRight(reference, plane, options_.planarRule);
+    const bool isLeft = goesLeft(reference, along, rule);
+    const bool isRight = goesRight(reference, along, rule);
     left_.data()[leftCount] = reference;
     right_.data()[rightCount] = reference;
     straddlingLeft_.data()[straddlingCount] = static_cast<std::uint32_t>(leftCount);
@@ -41,12 +59,7 @@ void ReferenceDivider::divide(std::span<const Reference> references, const Split
   }
   left_.resize(leftCount);
   right_.resize(rightCount);
-  if (options_.clipsReferences && straddlingCount > 0) {
-    clipStraddling(left_, straddlingLeft_.values().first(straddlingCount),
-                   calculateLeftBBox(plane, cell));
-    clipStraddling(right_, straddlingRight_.values().first(straddlingCount),
-                   calculateRightBBox(plane, cell));
-  }
+  return straddlingCount;
 }
 
 void ReferenceDivider::clipStraddling(PlainArray<Reference>& side,

@@ -7,6 +7,7 @@
 
 #include "support/plain_array.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -32,6 +33,8 @@ class ReferenceDivider {
   [[nodiscard]] std::span<const Reference> right() const noexcept { return right_.values(); }
 
  private:
+  template <Axis kAxis>
+  std::size_t divideAlong(std::span<const Reference> references, const SplitPlane& plane) noexcept;
   void clipStraddling(PlainArray<Reference>& side, std::span<const std::uint32_t> straddling,
                       const Box3& cell);
 

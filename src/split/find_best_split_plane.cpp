@@ -6,20 +6,6 @@
 #include <algorithm>
 
 namespace planetree {
-namespace {
-
-[[nodiscard]] bool planarGoesLeft(const Reference& reference, const SplitPlane& plane,
-                                  PlanarRule rule) noexcept {
-  return rule == PlanarRule::NormalSign ? reference.belongsLeft(plane.axis)
-                                        : plane.planarSide == Side::Left;
-}
-
-[[nodiscard]] bool liesIn(const SplitPlane& plane, const Reference& reference) noexcept {
-  return reference.isPlanar(plane.axis) && reference.bounds.lower[plane.axis] == plane.position;
-}
-
-}  // namespace
-
 std::optional<SplitPlane> findBestSplitPlane(std::span<const Reference> references,
                                              const Box3& cell, const BuildOptions& options) {
   const std::optional<SplitPlane> best = detail::PlaneSearch(options).find(references, cell);
@@ -28,18 +14,6 @@ std::optional<SplitPlane> findBestSplitPlane(std::span<const Reference> referenc
   PLANETREE_ASSERT(!best ||
                    best->rightCount == countRightObjects(references, *best, options.planarRule));
   return best;
-}
-
-bool goesLeft(const Reference& reference, const SplitPlane& plane, PlanarRule rule) noexcept {
-  if (liesIn(plane, reference))
-    return planarGoesLeft(reference, plane, rule);
-  return reference.bounds.lower[plane.axis] < plane.position;
-}
-
-bool goesRight(const Reference& reference, const SplitPlane& plane, PlanarRule rule) noexcept {
-  if (liesIn(plane, reference))
-    return !planarGoesLeft(reference, plane, rule);
-  return reference.bounds.upper[plane.axis] > plane.position;
 }
 
 std::uint64_t countLeftObjects(std::span<const Reference> references, const SplitPlane& plane,

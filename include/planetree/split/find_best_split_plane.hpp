@@ -30,12 +30,33 @@ namespace planetree {
                                                            const Box3& cell,
                                                            const BuildOptions& options);
 
+namespace detail {
+
+[[nodiscard]] constexpr bool liesIn(const SplitPlane& plane, const Reference& reference) noexcept {
+  return reference.isPlanar(plane.axis) && reference.bounds.lower[plane.axis] == plane.position;
+}
+
+/// Only for references that lie in the plane.
+[[nodiscard]] constexpr bool planarGoesLeft(const Reference& reference, const SplitPlane& plane,
+                                            PlanarRule rule) noexcept {
+  return rule == PlanarRule::NormalSign ? reference.belongsLeft(plane.axis)
+                                        : plane.planarSide == Side::Left;
+}
+
+}  // namespace detail
+
 /// Whether a reference has a part below the plane, or lies in it and is given to the left.
-[[nodiscard]] bool goesLeft(const Reference& reference, const SplitPlane& plane,
-                            PlanarRule rule) noexcept;
+[[nodiscard]] constexpr bool goesLeft(const Reference& reference, const SplitPlane& plane,
+                                      PlanarRule rule) noexcept {
+  return detail::liesIn(plane, reference) ? detail::planarGoesLeft(reference, plane, rule)
+                                          : reference.bounds.lower[plane.axis] < plane.position;
+}
 /// Whether a reference has a part above the plane, or lies in it and is given to the right.
-[[nodiscard]] bool goesRight(const Reference& reference, const SplitPlane& plane,
-                             PlanarRule rule) noexcept;
+[[nodiscard]] constexpr bool goesRight(const Reference& reference, const SplitPlane& plane,
+                                       PlanarRule rule) noexcept {
+  return detail::liesIn(plane, reference) ? !detail::planarGoesLeft(reference, plane, rule)
+                                          : reference.bounds.upper[plane.axis] > plane.position;
+}
 
 /// How many references go left. O(N); the sweep of `findBestSplitPlane` gives the same numbers.
 [[nodiscard]] std::uint64_t countLeftObjects(std::span<const Reference> references,
