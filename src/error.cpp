@@ -43,6 +43,10 @@ std::string_view errorCodeName(ErrorCode code) noexcept {
       return "invalid-option";
     case ErrorCode::CapacityExceeded:
       return "capacity-exceeded";
+    case ErrorCode::MemoryLimitExceeded:
+      return "memory-limit-exceeded";
+    case ErrorCode::Cancelled:
+      return "cancelled";
   }
   return "unknown";
 }

@@ -10,13 +10,15 @@ namespace planetree {
 
 /// What kind of thing went wrong; the text of the error says the rest.
 enum class ErrorCode : std::uint8_t {
-  FileNotReadable,   ///< missing, a folder, no permission, or it failed while being read
-  FileNotWritable,   ///< no such folder, no permission, disk full
-  UnknownFormat,     ///< the file is none of the formats that are read
-  MalformedFile,     ///< the file breaks its own format: truncated, or lying about its counts
-  InvalidGeometry,   ///< a mesh or shape list that cannot be used as it was handed over
-  InvalidOption,     ///< an option out of its range
-  CapacityExceeded,  ///< more objects, references or nodes than the indices can count
+  FileNotReadable,      ///< missing, a folder, no permission, or it failed while being read
+  FileNotWritable,      ///< no such folder, no permission, disk full
+  UnknownFormat,        ///< the file is none of the formats that are read
+  MalformedFile,        ///< the file breaks its own format: truncated, or lying about its counts
+  InvalidGeometry,      ///< a mesh or shape list that cannot be used as it was handed over
+  InvalidOption,        ///< an option out of its range
+  CapacityExceeded,     ///< more objects, references or nodes than the indices can count
+  MemoryLimitExceeded,  ///< a build that needs more memory than it may have
+  Cancelled,            ///< ended by the caller
 };
 
 /// The stable name of a code, for logs and for other languages: "file-not-readable", ...
@@ -50,6 +52,12 @@ class Error : public std::runtime_error {
   ErrorCode code_;
   Place place_;
   std::string advice_;
+};
+
+/// Thrown by a build that was stopped by `BuildControl::stopToken`.
+class Cancelled : public Error {
+ public:
+  Cancelled() : Error(ErrorCode::Cancelled, "cancelled", "") {}
 };
 
 }  // namespace planetree

@@ -16,9 +16,11 @@ namespace {
 struct SubtreeParts {
   std::vector<Part> parts;
   std::vector<TriangleBlock> blocks;
+  MemoryCharge partsCharge;
+  MemoryCharge blocksCharge;
 };
 
-SubtreeParts makeSubtreeParts(const NodeArray& tree, LeafPacker& packer) {
+SubtreeParts makeSubtreeParts(const NodeArray& tree, LeafPacker& packer, MemoryMeter& memory) {
   SubtreeParts made;
   LeafDivider divider;
   std::vector<std::uint32_t> partOf(tree.nodes().size());
@@ -40,6 +42,8 @@ SubtreeParts makeSubtreeParts(const NodeArray& tree, LeafPacker& packer) {
     made.parts[partOf[i]].right = partOf[i + tree.nodes()[i].split().rightOffset()];
     boundSplit(made.parts, partOf[i]);
   }
+  made.partsCharge = MemoryCharge(memory, made.parts.capacity() * sizeof(Part));
+  made.blocksCharge = MemoryCharge(memory, made.blocks.capacity() * sizeof(TriangleBlock));
   return made;
 }
 
@@ -65,10 +69,16 @@ void TreeParts::forAllUpwards(const std::function<void(std::size_t part)>& each)
     each(tops[i]);
 }
 
-TreeParts makeParts(const TreePieces& tree, const MakeLeafPacker& makePacker) {
+TreeParts makeParts(TreePieces tree, const MakeLeafPacker& makePacker, MemoryMeter& memory,
+                    const std::function<void(double part)>& advance) {
   std::vector<SubtreeParts> made(tree.subtrees().size());
+  std::vector<std::size_t> firstReference(made.size() + 1);
+  for (std::size_t i = 0; i < made.size(); ++i)
+    firstReference[i + 1] = firstReference[i] + tree.subtrees()[i].references().size();
+  const auto total = static_cast<double>(std::max<std::size_t>(firstReference.back(), 1));
   tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
-    made[i] = makeSubtreeParts(tree.subtrees()[i], *makePacker());
+    made[i] = makeSubtreeParts(tree.takeSubtree(i), *makePacker(), memory);
+    advance(static_cast<double>(firstReference[i + 1] - firstReference[i]) / total);
   });
 
   const std::vector<TreePieces::Place>& top = tree.top();
@@ -85,18 +95,18 @@ TreeParts makeParts(const TreePieces& tree, const MakeLeafPacker& makePacker) {
     all.pieces.push_back({.firstPart = partCount,
                           .partCount = subtree.parts.size(),
                           .firstBlock = all.blockCount,
-                          .blocks = std::move(subtree.blocks)});
+                          .blocks = std::move(subtree.blocks),
+                          .blocksCharge = std::move(subtree.blocksCharge)});
     partCount += subtree.parts.size();
     all.blockCount += all.pieces.back().blocks.size();
   }
 
+  all.partsCharge = MemoryCharge(memory, partCount * sizeof(Part));
   all.parts.resize(partCount);
-  std::vector<std::size_t> firstReference(made.size() + 1);
-  for (std::size_t i = 0; i < made.size(); ++i)
-    firstReference[i + 1] = firstReference[i] + tree.subtrees()[i].references().size();
   tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
     const TreeParts::Piece& piece = all.pieces[i];
     place(made[i].parts, piece.firstPart, piece.firstBlock, firstReference[i], all.parts);
+    made[i] = {};
   });
   for (std::size_t i = top.size(); i-- > 0;) {
     if (!top[i].isSplit())

@@ -4,6 +4,7 @@
 #include "node/part.hpp"
 #include "node/tree_pieces.hpp"
 #include "node/triangle_block.hpp"
+#include "support/memory_meter.hpp"
 #include "support/plain_array.hpp"
 
 #include <cstddef>
@@ -25,9 +26,11 @@ struct TreeParts {
     std::size_t partCount = 0;
     std::size_t firstBlock = 0;
     std::vector<TriangleBlock> blocks;
+    MemoryCharge blocksCharge;
   };
 
-  PlainArray<Part> parts;         ///< depth first
+  PlainArray<Part> parts;  ///< depth first
+  MemoryCharge partsCharge;
   std::vector<std::size_t> tops;  ///< the splits above the pieces, parents before their children
   std::vector<Piece> pieces;
   std::size_t blockCount = 0;
@@ -37,7 +40,10 @@ struct TreeParts {
   void forAllUpwards(const std::function<void(std::size_t part)>& each) const;
 };
 
-/// Divides the leaves of the pieces by their objects (`LeafDivider`), in the current oneTBB arena.
-[[nodiscard]] TreeParts makeParts(const TreePieces& tree, const MakeLeafPacker& makePacker);
+/// Divides the leaves of the pieces by their objects (`LeafDivider`), in the current oneTBB arena,
+/// and frees them one after the other. `advance` is told what part of the work has been done.
+[[nodiscard]] TreeParts makeParts(TreePieces tree, const MakeLeafPacker& makePacker,
+                                  MemoryMeter& memory,
+                                  const std::function<void(double part)>& advance);
 
 }  // namespace planetree::detail

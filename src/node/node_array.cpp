@@ -44,6 +44,12 @@ void NodeArray::beginRightChild(std::size_t split) {
                             static_cast<std::uint32_t>(nodes_.size() - split));
 }
 
+void NodeArray::chargeMemory(MemoryMeter& meter) {
+  charge_ = MemoryCharge(meter, nodes_.capacity() * sizeof(Node) +
+                                    references_.capacity() * sizeof(std::uint32_t) +
+                                    boxes_.capacity() * sizeof(Box3));
+}
+
 void requireNodeRoom(std::size_t nodeCount) {
   requireRoom(nodeCount, kMaxNodeCount, "nodes");
 }

@@ -3,6 +3,8 @@
 #include <planetree/geometry/box3.hpp>
 #include <planetree/node/node.hpp>
 
+#include "support/memory_meter.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -28,6 +30,9 @@ class NodeArray {
   /// Makes what is added next the right child of that split.
   void beginRightChild(std::size_t split);
 
+  /// Counts what the arrays take, for as long as they live. To be called once, when they are full.
+  void chargeMemory(MemoryMeter& meter);
+
   [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
   [[nodiscard]] std::span<const std::uint32_t> references() const noexcept { return references_; }
   /// The box of each reference.
@@ -37,6 +42,7 @@ class NodeArray {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> references_;
   std::vector<Box3> boxes_;
+  MemoryCharge charge_;
 };
 
 /// Throw `Error` with `CapacityExceeded` if a tree cannot have so many.

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace planetree::detail {
@@ -35,6 +36,11 @@ class TreePieces {
   /// In the order of their places.
   [[nodiscard]] const std::vector<NodeArray>& subtrees() const noexcept { return subtrees_; }
   [[nodiscard]] std::size_t referenceCount() const noexcept;
+
+  /// Hands a subtree over, and leaves an empty one in its place.
+  [[nodiscard]] NodeArray takeSubtree(std::size_t index) noexcept {
+    return std::exchange(subtrees_[index], NodeArray());
+  }
 
  private:
   void append(TreePieces part);

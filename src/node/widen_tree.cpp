@@ -11,12 +11,16 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace planetree::detail {
 namespace {
 
 constexpr std::size_t kNodeBatchSize = 64;
+
+// Most of the time goes there, as progress has it.
+constexpr double kPartOfMakingParts = 0.85;
 
 void requireRoom(std::size_t count, std::uint32_t maxIndex, const std::string& what) {
   if (count <= std::size_t{maxIndex} + 1)
@@ -77,10 +81,13 @@ Vec3f centerOfWideTree(const Box3& bounds) noexcept {
   return center;
 }
 
-WideTree widenTree(const TreePieces& tree, const Box3& bounds, const MakeLeafPacker& makePacker) {
+WideTree widenTree(TreePieces tree, const Box3& bounds, const MakeLeafPacker& makePacker,
+                   MemoryMeter& memory, const std::function<void(double part)>& advance) {
   if (bounds.isEmpty())
     return {};
-  const TreeParts all = makeParts(tree, makePacker);
+  const std::size_t referenceCount = tree.referenceCount();
+  const TreeParts all = makeParts(std::move(tree), makePacker, memory,
+                                  [&](double part) { advance(kPartOfMakingParts * part); });
   const std::span<const Part> parts = all.parts.values();
   if (parts.front().isEmpty())
     return {};
@@ -88,14 +95,17 @@ WideTree widenTree(const TreePieces& tree, const Box3& bounds, const MakeLeafPac
   static_assert(WideChild::kMaxReference == kMaxReferenceCount - 1);
   requireRoom(all.blockCount, WideChild::kMaxBlockIndex, "blocks");
 
+  const MemoryCharge plansCharge(memory, parts.size() * (sizeof(SlotPlan) + sizeof(std::uint32_t)));
   PlainArray<SlotPlan> plans(parts.size());
-  const SlotPlanner planner(parts.front().bounds.surfaceArea(), tree.referenceCount());
+  const SlotPlanner planner(parts.front().bounds.surfaceArea(), referenceCount);
   all.forAllUpwards([&](std::size_t part) { planner.plan(parts, part, plans.values()); });
   const NodeNumbers numbers = numberNodes(parts, plans.values());
   requireRoom(numbers.parts.size(), WideChild::kMaxNodeIndex, "nodes");
 
   const std::span<const std::uint32_t> nodeOf = numbers.nodeOf.values();
   const WideFrame frame = frameOf(bounds);
+  const MemoryCharge wideCharge(
+      memory, numbers.parts.size() * sizeof(WideNode) + all.blockCount * sizeof(TriangleBlock));
   WideTree wide(frame, childOf(parts, 0, plans.values().front().leftSlots[1], nodeOf),
                 numbers.parts.size(), all.blockCount);
   const std::span<WideNode> nodes = wide.nodesToWrite();

@@ -5,6 +5,9 @@
 #include "node/make_parts.hpp"
 #include "node/tree_pieces.hpp"
 #include "node/wide_node.hpp"
+#include "support/memory_meter.hpp"
+
+#include <functional>
 
 namespace planetree::detail {
 
@@ -20,7 +23,11 @@ namespace planetree::detail {
 /// (`makeParts`): cells that overlap a little cost less than to hold a triangle many times. Which
 /// parts become nodes of their own is planned over all of them (`SlotPlanner`). Linear in the
 /// parts.
-[[nodiscard]] WideTree widenTree(const TreePieces& tree, const Box3& bounds,
-                                 const MakeLeafPacker& makePacker);
+///
+/// Frees the binary form as it goes, and counts what it takes itself. `advance` is told what part
+/// of the work has been done; what it throws comes out.
+[[nodiscard]] WideTree widenTree(TreePieces tree, const Box3& bounds,
+                                 const MakeLeafPacker& makePacker, MemoryMeter& memory,
+                                 const std::function<void(double part)>& advance);
 
 }  // namespace planetree::detail

@@ -75,19 +75,21 @@ void report(const Batch& batch, BuildReport& report) {
 }  // namespace
 
 template <class T>
-BoundedObjects boundObjects(std::span<GeometryEntry<T>> geometries, BuildReport& buildReport) {
+BoundedObjects boundObjects(std::span<GeometryEntry<T>> geometries, BuildReport& buildReport,
+                            BuildMonitor& monitor) {
   numberObjects(geometries, buildReport);
   BoundedObjects bounded;
-  bounded.references.resize(buildReport.objectCount);
+  bounded.all = CellReferences(buildReport.objectCount, monitor.memory());
   for (std::size_t g = 0; g < geometries.size(); ++g) {
     const GeometryEntry<T>& geometry = geometries[g];
-    const auto references = bounded.references.from(geometry.firstObject).first(geometry.size);
+    const auto references = bounded.all.references.from(geometry.firstObject).first(geometry.size);
     std::vector<Batch> batches((geometry.size + kBatchSize - 1) / kBatchSize);
     tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t i) {
       const std::size_t first = i * kBatchSize;
       const std::size_t count = std::min<std::size_t>(kBatchSize, geometry.size - first);
       batches[i] = boundBatch(geometry, static_cast<std::uint32_t>(g),
                               static_cast<std::uint32_t>(first), references.subspan(first, count));
+      monitor.advance(static_cast<double>(count) / static_cast<double>(buildReport.objectCount));
     });
     for (const Batch& batch : batches) {
       bounded.bounds.extend(batch.bounds);
@@ -96,13 +98,13 @@ BoundedObjects boundObjects(std::span<GeometryEntry<T>> geometries, BuildReport&
   }
   if (buildReport.skippedCount > 0) {
     const auto skipped = std::ranges::remove_if(
-        bounded.references.values(), [](const Reference& r) { return r.bounds.isEmpty(); });
-    bounded.references.resize(bounded.references.size() - skipped.size());
+        bounded.all.references.values(), [](const Reference& r) { return r.bounds.isEmpty(); });
+    bounded.all.references.resize(bounded.all.references.size() - skipped.size());
   }
   return bounded;
 }
 
-template BoundedObjects boundObjects(std::span<GeometryEntry<float>>, BuildReport&);
-template BoundedObjects boundObjects(std::span<GeometryEntry<double>>, BuildReport&);
+template BoundedObjects boundObjects(std::span<GeometryEntry<float>>, BuildReport&, BuildMonitor&);
+template BoundedObjects boundObjects(std::span<GeometryEntry<double>>, BuildReport&, BuildMonitor&);
 
 }  // namespace planetree::detail

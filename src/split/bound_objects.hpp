@@ -5,7 +5,8 @@
 #include <planetree/split/build_report.hpp>
 #include <planetree/split/reference.hpp>
 
-#include "support/plain_array.hpp"
+#include "split/build_monitor.hpp"
+#include "split/divide_references.hpp"
 
 #include <span>
 
@@ -14,7 +15,7 @@ namespace planetree::detail {
 /// What the builder starts from: one reference per object that can be hit, in rising order of the
 /// object numbers.
 struct BoundedObjects {
-  PlainArray<Reference> references;
+  CellReferences all;
   Box3 bounds;
 };
 
@@ -23,6 +24,6 @@ struct BoundedObjects {
 /// `CapacityExceeded` for more objects than 32 bits can number.
 template <class T>
 [[nodiscard]] BoundedObjects boundObjects(std::span<GeometryEntry<T>> geometries,
-                                          BuildReport& report);
+                                          BuildReport& report, BuildMonitor& monitor);
 
 }  // namespace planetree::detail

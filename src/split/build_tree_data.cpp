@@ -6,7 +6,7 @@
 #include "node/tree_pieces.hpp"
 #include "node/widen_tree.hpp"
 #include "split/bound_objects.hpp"
-#include "split/phase_clock.hpp"
+#include "split/build_monitor.hpp"
 #include "split/tree_builder.hpp"
 
 #include <tbb/global_control.h>
@@ -110,37 +110,45 @@ double intersectionCostOf(const TreeData<T>& tree) noexcept {
 }
 
 template <class T>
-TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildOptions& options) {
+TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildOptions& options,
+                          const BuildControl& control) {
   requireValid(options);
   TreeData<T> tree;
-  PhaseClock clock(tree.report);
+  BuildMonitor monitor(control, tree.report);
   tree.options = options;
   tree.geometries = std::move(geometries);
 
   const auto build = [&] {
-    BoundedObjects objects = boundObjects<T>(tree.geometries, tree.report);
+    monitor.beginPhase("bound", 0.05);
+    BoundedObjects objects = boundObjects<T>(tree.geometries, tree.report, monitor);
     tree.bounds = objects.bounds;
-    clock.end("bound");
 
+    monitor.beginPhase("split", 0.55);
+    const std::size_t objectCount = objects.all.references.size();
     const ClipReferences clip = clipperFor(tree.geometries);
     const BuildOptions effective = optionsFor(tree);
-    const TreeBuilder builder(effective, depthLimitFor(options, objects.references.size()), clip);
-    const double budget = referenceBudget(options, objects.references.size());
-    const TreePieces pieces = builder.build(std::move(objects.references), tree.bounds, budget);
-    clock.end("split");
+    const TreeBuilder builder(effective, depthLimitFor(options, objectCount), clip, monitor);
+    TreePieces pieces =
+        builder.build(std::move(objects.all), tree.bounds, referenceBudget(options, objectCount));
 
+    monitor.beginPhase("assemble", 0.01);
     BinaryTree binary = joinPieces(pieces);
     tree.nodes = std::move(binary.nodes);
     tree.references = std::move(binary.references);
-    clock.end("assemble");
+    tree.report.referenceCount = tree.references.size();
+    const MemoryCharge binaryCharge(
+        monitor.memory(),
+        tree.nodes.size() * sizeof(Node) + tree.references.size() * sizeof(std::uint32_t));
 
+    monitor.beginPhase("widen", 0.39);
     const Vec3f center = centerOfWideTree(tree.bounds);
-    WideTree wide = widenTree(pieces, tree.bounds, [&] {
-      return std::make_unique<FacePacker<T>>(tree.geometries, center);
-    });
+    WideTree wide = widenTree(
+        std::move(pieces), tree.bounds,
+        [&] { return std::make_unique<FacePacker<T>>(tree.geometries, center); }, monitor.memory(),
+        [&](double part) { monitor.advance(part); });
     wide.commonMask = commonMaskOf(tree.geometries);
     tree.wide = std::make_shared<const WideTree>(std::move(wide));
-    clock.end("widen");
+    monitor.finish();
   };
   // An arena of its own keeps the caller's tasks out of the build, and the build out of them.
   tbb::task_arena arena(threadCountFor(options));
@@ -151,8 +159,8 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
 template double intersectionCostOf(const TreeData<float>&) noexcept;
 template double intersectionCostOf(const TreeData<double>&) noexcept;
 template TreeData<float> buildTreeData<float>(std::vector<GeometryEntry<float>>,
-                                              const BuildOptions&);
+                                              const BuildOptions&, const BuildControl&);
 template TreeData<double> buildTreeData<double>(std::vector<GeometryEntry<double>>,
-                                                const BuildOptions&);
+                                                const BuildOptions&, const BuildControl&);
 
 }  // namespace planetree::detail

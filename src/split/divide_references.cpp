@@ -80,9 +80,10 @@ void ReferenceDivider::clipStraddling(PlainArray<Reference>& side,
   }
 }
 
-DividedReferences divideTogether(PlainArray<Reference> references, const SplitPlane& plane,
+DividedReferences divideTogether(CellReferences cellReferences, const SplitPlane& plane,
                                  const Box3& cell, const BuildOptions& options,
-                                 const ClipReferences& clip) {
+                                 const ClipReferences& clip, MemoryMeter& memory) {
+  const PlainArray<Reference>& references = cellReferences.references;
   const std::size_t batchCount = (references.size() + kBatchSize - 1) / kBatchSize;
   std::vector<ReferenceDivider> batches;
   batches.reserve(batchCount);
@@ -93,18 +94,20 @@ DividedReferences divideTogether(PlainArray<Reference> references, const SplitPl
     const std::size_t count = std::min(kBatchSize, references.size() - begin);
     batches[i].divide(references.values().subspan(begin, count), plane, cell);
   });
-  references = {};
+  cellReferences = {};
   std::vector<std::size_t> firstLeft(batchCount + 1);
   std::vector<std::size_t> firstRight(batchCount + 1);
   for (std::size_t i = 0; i < batchCount; ++i) {
     firstLeft[i + 1] = firstLeft[i] + batches[i].left().size();
     firstRight[i + 1] = firstRight[i] + batches[i].right().size();
   }
-  DividedReferences divided{.left = PlainArray<Reference>(firstLeft.back()),
-                            .right = PlainArray<Reference>(firstRight.back())};
+  const MemoryCharge batchesCharge(memory,
+                                   (firstLeft.back() + firstRight.back()) * sizeof(Reference));
+  DividedReferences divided{.left = CellReferences(firstLeft.back(), memory),
+                            .right = CellReferences(firstRight.back(), memory)};
   tbb::parallel_for(std::size_t{0}, batchCount, [&](std::size_t i) {
-    std::ranges::copy(batches[i].left(), divided.left.data() + firstLeft[i]);
-    std::ranges::copy(batches[i].right(), divided.right.data() + firstRight[i]);
+    std::ranges::copy(batches[i].left(), divided.left.references.data() + firstLeft[i]);
+    std::ranges::copy(batches[i].right(), divided.right.references.data() + firstRight[i]);
   });
   return divided;
 }

@@ -5,6 +5,7 @@
 #include <planetree/split/reference.hpp>
 #include <planetree/split/split_plane.hpp>
 
+#include "support/memory_meter.hpp"
 #include "support/plain_array.hpp"
 
 #include <cstddef>
@@ -47,16 +48,26 @@ class ReferenceDivider {
   PlainArray<Reference> clipped_;
 };
 
-/// The references on both sides of a plane, each in an array of its own.
+/// The references of a cell in an array of their own.
+struct CellReferences {
+  CellReferences() = default;
+  CellReferences(std::size_t count, MemoryMeter& memory)
+      : charge(memory, count * sizeof(Reference)), references(count) {}
+
+  MemoryCharge charge;
+  PlainArray<Reference> references;
+};
+
+/// Those on both sides of a plane.
 struct DividedReferences {
-  PlainArray<Reference> left;
-  PlainArray<Reference> right;
+  CellReferences left;
+  CellReferences right;
 };
 
 /// Does the same with all threads of the current arena, and frees what was divided.
-[[nodiscard]] DividedReferences divideTogether(PlainArray<Reference> references,
+[[nodiscard]] DividedReferences divideTogether(CellReferences cellReferences,
                                                const SplitPlane& plane, const Box3& cell,
                                                const BuildOptions& options,
-                                               const ClipReferences& clip);
+                                               const ClipReferences& clip, MemoryMeter& memory);
 
 }  // namespace planetree::detail

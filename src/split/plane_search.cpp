@@ -102,19 +102,22 @@ std::optional<SplitPlane> PlaneSearch::find(std::span<const Reference> reference
     return std::nullopt;
   const BinScale scale(cell, binCountFor(references.size()));
   prepareCosts(cell);
-  // A plane at an edge between bins is no candidate, but hardly cheaper than the best of them. If
-  // it is, all bins that are no dearer than what was found have to be opened after all.
   double bound = limit;
   if (scale.binCount() > 1) {
     count(references, scale);
     sumUp(scale.binCount());
-    bound = std::min(bound, cheapestEdge(scale));
+    const Edge edge = cheapestEdge(scale);
+    if (!options_.exactPlanes) {
+      openBinsAt(edge, scale);
+      const std::optional<SplitPlane> found = searchOpenBins(references, cell, scale);
+      return found && found->cost < limit ? found : std::nullopt;
+    }
+    bound = std::min(bound, edge.cost);
   }
+  // A plane at an edge between bins is no candidate, but hardly cheaper than the best of them. If
+  // it is, all bins that are no dearer than what was found have to be opened after all.
   while (openBins(scale, bound)) {
-    gather(references, scale);
-    std::optional<SplitPlane> best;
-    for (const Axis axis : kAxes)
-      sweep(axis, cell, scale, best);
+    const std::optional<SplitPlane> best = searchOpenBins(references, cell, scale);
     const double found = best ? best->cost : std::numeric_limits<double>::infinity();
     if (found <= bound)
       return found < limit ? best : std::nullopt;
@@ -123,6 +126,15 @@ std::optional<SplitPlane> PlaneSearch::find(std::span<const Reference> reference
     bound = std::min(found, limit);
   }
   return std::nullopt;
+}
+
+std::optional<SplitPlane> PlaneSearch::searchOpenBins(std::span<const Reference> references,
+                                                      const Box3& cell, const BinScale& scale) {
+  gather(references, scale);
+  std::optional<SplitPlane> best;
+  for (const Axis axis : kAxes)
+    sweep(axis, cell, scale, best);
+  return best;
 }
 
 void PlaneSearch::count(std::span<const Reference> references, const BinScale& scale) {
@@ -186,16 +198,36 @@ double PlaneSearch::costOf(std::size_t axis, double distance, double leftCount,
          (cutsOffEmptySpace ? 1.0 - options_.cost.emptyBonus : 1.0);
 }
 
-double PlaneSearch::cheapestEdge(const BinScale& scale) const noexcept {
-  double cheapest = std::numeric_limits<double>::infinity();
-  for (std::size_t a = 0; a < 3; ++a) {
+PlaneSearch::Edge PlaneSearch::cheapestEdge(const BinScale& scale) const noexcept {
+  Edge cheapest;
+  for (const Axis axis : kAxes) {
+    const auto a = static_cast<std::size_t>(axis);
     const double width = costs_[a].size / static_cast<double>(scale.binCount());
     for (std::size_t bin = 1; bin < scale.binCount(); ++bin) {
-      cheapest = std::min(cheapest, costOf(a, width * static_cast<double>(bin),
-                                           lowerEndsBefore_[a][bin], upperEndsFrom_[a][bin]));
+      const double cost = costOf(a, width * static_cast<double>(bin), lowerEndsBefore_[a][bin],
+                                 upperEndsFrom_[a][bin]);
+      if (cost < cheapest.cost)
+        cheapest = {.cost = cost, .axis = axis, .bin = bin};
     }
   }
   return cheapest;
+}
+
+void PlaneSearch::openBinsAt(const Edge& edge, const BinScale& scale) noexcept {
+  for (auto& isOpen : isOpen_)
+    std::fill_n(isOpen.begin(), scale.binCount(), false);
+  const auto a = static_cast<std::size_t>(edge.axis);
+  const auto isEmpty = [&](std::size_t bin) {
+    return counts_.lowerEnds[a][bin] == 0 && counts_.upperEnds[a][bin] == 0;
+  };
+  std::size_t first = edge.bin;
+  while (first > 0 && isEmpty(--first)) {
+  }
+  std::size_t last = edge.bin;
+  while (last + 1 < scale.binCount() && isEmpty(last))
+    ++last;
+  std::fill(isOpen_[a].begin() + static_cast<std::ptrdiff_t>(first),
+            isOpen_[a].begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
 }
 
 bool PlaneSearch::openBins(const BinScale& scale, double cost) noexcept {

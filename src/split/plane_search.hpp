@@ -22,7 +22,8 @@ namespace planetree::detail {
 /// By branch and bound: bins say how many objects are at least on each side of any plane through a
 /// bin, and thus what such a plane costs at least. Only the ends in bins that may hold the best
 /// plane are sorted and swept. The result is that of a sweep over all ends, plane for plane, in
-/// about the time of a search among the edges of the bins.
+/// little more than the time of a search among the edges of the bins. Without `exactPlanes` no more
+/// than the bins next to the best edge are opened.
 class PlaneSearch {
  public:
   /// `options` must outlive the search.
@@ -56,12 +57,24 @@ class PlaneSearch {
     double size = 0.0;      ///< of the cell
   };
 
+  /// Between two bins, or between the last bin of an axis and nothing.
+  struct Edge {
+    double cost = std::numeric_limits<double>::infinity();  ///< of a plane there
+    Axis axis = Axis::X;
+    std::size_t bin = 0;  ///< the one above
+  };
+
   void count(std::span<const Reference> references, const BinScale& scale);
   void sumUp(std::size_t binCount) noexcept;
   void prepareCosts(const Box3& cell) noexcept;
   [[nodiscard]] double costOf(std::size_t axis, double distance, double leftCount,
                               double rightCount) const noexcept;
-  [[nodiscard]] double cheapestEdge(const BinScale& scale) const noexcept;
+  [[nodiscard]] Edge cheapestEdge(const BinScale& scale) const noexcept;
+  /// Opens the bins next to an edge, on both sides up to the first one that is not empty.
+  void openBinsAt(const Edge& edge, const BinScale& scale) noexcept;
+  /// The cheapest plane in open bins.
+  [[nodiscard]] std::optional<SplitPlane> searchOpenBins(std::span<const Reference> references,
+                                                         const Box3& cell, const BinScale& scale);
   /// Opens the bins that may hold a plane of at most this cost; false if there are none.
   bool openBins(const BinScale& scale, double cost) noexcept;
   void gather(std::span<const Reference> references, const BinScale& scale);

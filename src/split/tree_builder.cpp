@@ -18,6 +18,8 @@ namespace {
 
 // Below this many references one thread builds a subtree alone.
 constexpr std::size_t kSubtreeSize = 1u << 13u;
+// Smaller cells do not ask whether they should be built at all.
+constexpr std::size_t kWatchedSize = 256;
 
 void addLeaf(std::span<const Reference> references, const Box3& cell, NodeArray& tree) {
   const std::span<std::uint32_t> objects = tree.addLeaf(references.size());
@@ -41,6 +43,8 @@ class TreeBuilder::SubtreeBuilder {
     stack_.resize(references.size());
     std::ranges::copy(references, stack_.data());
     build(0, task, tree);
+    tree.chargeMemory(builder_.monitor_.memory());
+    builder_.monitor_.advance(task.part);
     return tree;
   }
 
@@ -108,28 +112,28 @@ class TreeBuilder::Workshop {
   std::vector<std::unique_ptr<SubtreeBuilder>> free_;
 };
 
-TreePieces TreeBuilder::build(PlainArray<Reference> references, const Box3& cell,
-                              double budget) const {
+TreePieces TreeBuilder::build(CellReferences references, const Box3& cell, double budget) const {
   Workshop workshop(*this);
   return buildPieces(std::move(references), {.cell = cell, .level = 1, .budget = budget}, workshop);
 }
 
-TreePieces TreeBuilder::buildPieces(PlainArray<Reference> references, const Task& task,
+TreePieces TreeBuilder::buildPieces(CellReferences cellReferences, const Task& task,
                                     Workshop& workshop) const {
+  const std::span<const Reference> references = cellReferences.references.values();
   const auto asOnePiece = [&] {
-    return workshop.with([&](SubtreeBuilder& builder) {
-      return TreePieces(builder.build(references.values(), task));
-    });
+    return workshop.with(
+        [&](SubtreeBuilder& builder) { return TreePieces(builder.build(references, task)); });
   };
   if (references.size() < kSubtreeSize)
     return asOnePiece();
   PlaneSearch search(options_);
-  const std::optional<SplitPlane> plane = findPlane(references.values(), task, search);
+  const std::optional<SplitPlane> plane = findPlane(references, task, search);
   if (!plane)
     return asOnePiece();
-  DividedReferences divided =
-      divideTogether(std::move(references), *plane, task.cell, options_, clip_);
-  const Children children = childrenOf(task, *plane, divided.left.size(), divided.right.size());
+  DividedReferences divided = divideTogether(std::move(cellReferences), *plane, task.cell, options_,
+                                             clip_, monitor_.memory());
+  const Children children =
+      childrenOf(task, *plane, divided.left.references.size(), divided.right.references.size());
   std::optional<TreePieces> left;
   std::optional<TreePieces> right;
   tbb::parallel_invoke(
@@ -142,6 +146,8 @@ std::optional<SplitPlane> TreeBuilder::findPlane(std::span<const Reference> refe
                                                  const Task& task, PlaneSearch& search) const {
   if (references.size() <= options_.leafSize || task.level == depthLimit_)
     return std::nullopt;
+  if (references.size() >= kWatchedSize)
+    monitor_.throwIfStopped();
   const double limit = options_.stopsByCost ? options_.cost.leafCost(references.size())
                                             : std::numeric_limits<double>::infinity();
   const std::optional<SplitPlane> plane = search.find(references, task.cell, limit);
@@ -160,7 +166,10 @@ TreeBuilder::Children TreeBuilder::childrenOf(const Task& task, const SplitPlane
   const auto total = static_cast<double>(leftCount + rightCount);
   const auto childOf = [&](const Box3& cell, std::size_t count) {
     const double share = count == 0 ? 0.0 : static_cast<double>(count) / total;
-    return Task{.cell = cell, .level = task.level + 1, .budget = task.budget * share};
+    return Task{.cell = cell,
+                .level = task.level + 1,
+                .budget = task.budget * share,
+                .part = task.part * share};
   };
   return {.left = childOf(calculateLeftBBox(plane, task.cell), leftCount),
           .right = childOf(calculateRightBBox(plane, task.cell), rightCount)};

@@ -6,8 +6,8 @@
 #include <planetree/split/split_plane.hpp>
 
 #include "node/tree_pieces.hpp"
+#include "split/build_monitor.hpp"
 #include "split/divide_references.hpp"
-#include "support/plain_array.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,14 +25,14 @@ class PlaneSearch;
 /// one thread builds a subtree as a whole, in memory that it uses again and again.
 class TreeBuilder {
  public:
-  /// `clip` must outlive the builder and may be called from several threads at once.
-  TreeBuilder(const BuildOptions& options, std::uint32_t depthLimit, const ClipReferences& clip)
-      : options_(options), depthLimit_(depthLimit), clip_(clip) {}
+  /// All must outlive the builder; `clip` may be called from several threads at once.
+  TreeBuilder(const BuildOptions& options, std::uint32_t depthLimit, const ClipReferences& clip,
+              BuildMonitor& monitor)
+      : options_(options), depthLimit_(depthLimit), clip_(clip), monitor_(monitor) {}
 
   /// The tree of these references within the cell. `budget` is how many references it may have in
   /// all.
-  [[nodiscard]] TreePieces build(PlainArray<Reference> references, const Box3& cell,
-                                 double budget) const;
+  [[nodiscard]] TreePieces build(CellReferences references, const Box3& cell, double budget) const;
 
  private:
   class SubtreeBuilder;
@@ -43,6 +43,7 @@ class TreeBuilder {
     Box3 cell;
     std::uint32_t level = 1;
     double budget = 0.0;
+    double part = 1.0;  ///< of the whole work, as progress has it
   };
 
   struct Children {
@@ -50,7 +51,7 @@ class TreeBuilder {
     Task right;
   };
 
-  [[nodiscard]] TreePieces buildPieces(PlainArray<Reference> references, const Task& task,
+  [[nodiscard]] TreePieces buildPieces(CellReferences references, const Task& task,
                                        Workshop& workshop) const;
   /// The plane that divides a cell; nothing if it becomes a leaf.
   [[nodiscard]] std::optional<SplitPlane> findPlane(std::span<const Reference> references,
@@ -61,6 +62,7 @@ class TreeBuilder {
   const BuildOptions& options_;
   std::uint32_t depthLimit_;
   const ClipReferences& clip_;
+  BuildMonitor& monitor_;
 };
 
 }  // namespace planetree::detail

@@ -3,6 +3,7 @@
 #include <planetree/detail/geometry_entry.hpp>
 #include <planetree/geometry/box3.hpp>
 #include <planetree/node/node.hpp>
+#include <planetree/split/build_control.hpp>
 #include <planetree/split/build_options.hpp>
 #include <planetree/split/build_report.hpp>
 
@@ -36,10 +37,10 @@ extern template double intersectionCostOf(const TreeData<double>&) noexcept;
 /// Builds the tree of all objects of the geometries, numbered in their order.
 template <class T>
 [[nodiscard]] TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries,
-                                        const BuildOptions& options);
+                                        const BuildOptions& options, const BuildControl& control);
 extern template TreeData<float> buildTreeData<float>(std::vector<GeometryEntry<float>>,
-                                                     const BuildOptions&);
+                                                     const BuildOptions&, const BuildControl&);
 extern template TreeData<double> buildTreeData<double>(std::vector<GeometryEntry<double>>,
-                                                       const BuildOptions&);
+                                                       const BuildOptions&, const BuildControl&);
 
 }  // namespace planetree::detail

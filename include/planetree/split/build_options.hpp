@@ -39,6 +39,10 @@ struct BuildOptions {
 
   PlanarRule planarRule = PlanarRule::CheaperSide;
 
+  /// Find the cheapest of all planes through ends of boxes. Without it, look at the edges of some
+  /// dozens of bins, and find the cheapest plane next to the best edge.
+  bool exactPlanes = true;
+
   /// How many references there may be for each object, on average; 0 sets no bound. Large faces
   /// that cross in one place would otherwise multiply with every split. Each side of a split gets a
   /// part of what its parent may have, by the share of references it holds, and a cell that has
@@ -49,6 +53,27 @@ struct BuildOptions {
   /// the same for any number. The work runs in an arena of its own and does not mix with the
   /// caller's oneTBB tasks.
   std::uint32_t threadCount = 0;
+
+  /// Builds in a fraction of the time, for scenes that change or are hardly looked at: planes are
+  /// found by bins, whole boxes are counted, and leaves are left large. docs/performance.md has
+  /// what each preset costs and gives.
+  [[nodiscard]] static constexpr BuildOptions fast() noexcept {
+    BuildOptions options;
+    options.exactPlanes = false;
+    options.clipsReferences = false;
+    options.cost.faceCost = 0.01;
+    return options;
+  }
+
+  /// The default.
+  [[nodiscard]] static constexpr BuildOptions balanced() noexcept { return {}; }
+
+  /// Takes its time for the sake of the rays, for scenes that are built once and looked at for long.
+  [[nodiscard]] static constexpr BuildOptions high() noexcept {
+    BuildOptions options;
+    options.cost.faceCost = 0.07;
+    return options;
+  }
 
   /// The rules of the textbook to the letter: the plane with the smallest (nL AL + nR AR) / A wins,
   /// whole boxes are counted, an empty side makes a leaf, and only `leafSize` and `depthLimit`

@@ -36,7 +36,11 @@ struct BuildReport {
   /// the builder: "bound" bounds the objects, "split" finds the planes and divides the objects down
   /// to the leaves, "assemble" makes the arrays that queries read.
   std::vector<BuildPhase> phases;
-  double totalSeconds = 0.0;  ///< the sum of the phases
+  double totalSeconds = 0.0;         ///< the sum of the phases
+  std::uint64_t referenceCount = 0;  ///< entries of all leaves; an object may have several
+  /// The most memory that the build held at a time, the finished tree included, but not the
+  /// objects: what `BuildControl::memoryLimit` limits. Small things are not counted.
+  std::uint64_t peakBytes = 0;
 };
 
 }  // namespace planetree
