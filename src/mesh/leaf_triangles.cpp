@@ -23,6 +23,7 @@ void LeafTriangles::clear() noexcept {
   triangles_.clear();
   positions_.clear();
   usedIn_.clear();
+  placeInBlock_.clear();
   countedBlocks_ = 0;
   // Small again: to clear what a large leaf took would cost every leaf after it.
   table_.assign(kSmallestTable, kFree);
@@ -69,24 +70,24 @@ std::size_t LeafTriangles::countNewCorners(const Triangle& triangle) const noexc
   return isNew(a) + (isNew(b) & differ(b, a)) + (isNew(c) & differ(c, a) & differ(c, b));
 }
 
-TriangleBlock LeafTriangles::pack(std::span<const std::uint32_t> places) const {
+TriangleBlock LeafTriangles::pack(std::span<const std::uint32_t> places) {
   PLANETREE_ASSERT(places.size() <= TriangleBlock::kLaneCount);
   TriangleBlock block = {};
-  std::array<std::uint32_t, TriangleBlock::kPositionCount> used;
-  auto usedEnd = used.begin();
+  ++countedBlocks_;
+  std::size_t usedCount = 0;
   for (std::size_t lane = 0; lane < places.size(); ++lane) {
     const Triangle& triangle = triangles_[places[lane]];
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::uint32_t position = triangle.corners[corner];
-      const auto at = std::find(used.begin(), usedEnd, position);
-      const auto inBlock = static_cast<std::size_t>(at - used.begin());
-      if (at == usedEnd) {
-        PLANETREE_ASSERT(usedEnd != used.end());
-        *usedEnd++ = position;
+      if (usedIn_[position] != countedBlocks_) {
+        PLANETREE_ASSERT(usedCount < TriangleBlock::kPositionCount);
+        usedIn_[position] = countedBlocks_;
+        placeInBlock_[position] = static_cast<std::uint8_t>(usedCount);
         for (const Axis axis : kAxes)
-          block.positions[static_cast<std::size_t>(axis)][inBlock] = positions_[position][axis];
+          block.positions[static_cast<std::size_t>(axis)][usedCount] = positions_[position][axis];
+        ++usedCount;
       }
-      block.corners[corner][lane] = static_cast<std::uint8_t>(inBlock);
+      block.corners[corner][lane] = placeInBlock_[position];
     }
     block.objects[lane] = triangle.object;
   }
@@ -106,6 +107,7 @@ std::uint32_t LeafTriangles::indexOf(const Vec3f& position) {
   table_[at] = static_cast<std::uint32_t>(positions_.size());
   positions_.push_back(position);
   usedIn_.push_back(countedBlocks_);
+  placeInBlock_.push_back(0);
   return table_[at];
 }
 

@@ -25,7 +25,7 @@ class LeafTriangles {
   void countBlocks(std::span<const std::uint32_t> places, std::span<std::uint32_t> counts);
 
   /// The block with the triangles at `places`, which fit into one.
-  [[nodiscard]] TriangleBlock pack(std::span<const std::uint32_t> places) const;
+  [[nodiscard]] TriangleBlock pack(std::span<const std::uint32_t> places);
 
  private:
   struct Triangle {
@@ -44,6 +44,7 @@ class LeafTriangles {
   std::vector<std::uint32_t> table_;   ///< by hash: indices of positions, or none
   std::vector<std::uint32_t> usedIn_;  ///< the block that the position was counted in last
   std::uint32_t countedBlocks_ = 0;    ///< in all countings, so that each block has its own number
+  std::vector<std::uint8_t> placeInBlock_;  ///< of a position in the block that is being packed
 };
 
 }  // namespace planetree::detail

@@ -31,7 +31,7 @@ class FacePacker final : public LeafPacker {
                    std::span<std::uint32_t> counts) override {
     triangles_.countBlocks(places, counts);
   }
-  [[nodiscard]] TriangleBlock pack(std::span<const std::uint32_t> places) const override {
+  [[nodiscard]] TriangleBlock pack(std::span<const std::uint32_t> places) override {
     return triangles_.pack(places);
   }
 

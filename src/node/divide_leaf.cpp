@@ -84,37 +84,46 @@ LeafDivider::Cut LeafDivider::findBestCut(std::span<std::uint32_t> places) {
   double bestCost = std::numeric_limits<double>::infinity();
   std::size_t bestImbalance = 0;
   order_.assign(places.begin(), places.end());
+  leftAreas_.resize(count);
+  rightAreas_.resize(count);
   for (const Axis axis : kAxes) {
     // Without any spread all orders are alike; one of them has to do.
     if (!(spread[axis] > 0.0f) && (axis != Axis::Z || best.leftCount != 0))
       continue;
     sortAlong(axis, order_);
     countBlocks(order_, leftCounts_);
+    sumUpAreas(order_, leftAreas_);
     backwards_.assign(order_.rbegin(), order_.rend());
     countBlocks(backwards_, rightCounts_);
-    rightAreas_.resize(count);
-    Box3 box;
-    for (std::size_t i = count; i-- > 1;) {
-      box.extend(boxes_[order_[i]]);
-      rightAreas_[i] = box.surfaceArea();
-    }
-    box = {};
+    sumUpAreas(backwards_, rightAreas_);
+    bool isImproved = false;
     for (std::size_t i = 1; i < count; ++i) {
-      box.extend(boxes_[order_[i - 1]]);
-      const double cost =
-          box.surfaceArea() * leftCounts_[i - 1] + rightAreas_[i] * rightCounts_[count - i - 1];
+      const double cost = leftAreas_[i - 1] * leftCounts_[i - 1] +
+                          rightAreas_[count - i - 1] * rightCounts_[count - i - 1];
       const std::size_t imbalance = std::max(i, count - i);
       if (cost > bestCost || (cost == bestCost && imbalance >= bestImbalance))
         continue;
-      if (best.leftCount == 0 || best.axis != axis)
-        bestOrder_ = order_;
       best = {axis, i};
       bestCost = cost;
       bestImbalance = imbalance;
+      isImproved = true;
     }
+    if (isImproved)
+      bestOrder_ = order_;
   }
   std::copy(bestOrder_.begin(), bestOrder_.end(), places.begin());
   return best;
+}
+
+void LeafDivider::sumUpAreas(std::span<const std::uint32_t> places,
+                             std::span<double> areas) const noexcept {
+  // No box is empty here, which `Box3::extend` would look for.
+  Box3 box;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    box.extend(boxes_[places[i]].lower);
+    box.extend(boxes_[places[i]].upper);
+    areas[i] = box.surfaceArea();
+  }
 }
 
 void LeafDivider::sortAlong(Axis axis, std::span<std::uint32_t> places) {

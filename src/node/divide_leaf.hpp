@@ -42,6 +42,8 @@ class LeafDivider {
                    std::vector<TriangleBlock>& blocks);
   [[nodiscard]] Cut halve(std::span<std::uint32_t> places);
   [[nodiscard]] Cut findBestCut(std::span<std::uint32_t> places);
+  /// `areas[i]` becomes the surface area of the first i + 1 of these boxes together.
+  void sumUpAreas(std::span<const std::uint32_t> places, std::span<double> areas) const noexcept;
   void sortAlong(Axis axis, std::span<std::uint32_t> places);
   void countBlocks(std::span<const std::uint32_t> places, std::vector<std::uint32_t>& counts);
   [[nodiscard]] Box3 boundsOf(std::span<const std::uint32_t> places) const noexcept;
@@ -60,6 +62,7 @@ class LeafDivider {
   std::vector<std::uint32_t> backwards_;
   std::vector<std::uint32_t> leftCounts_;
   std::vector<std::uint32_t> rightCounts_;
+  std::vector<double> leftAreas_;
   std::vector<double> rightAreas_;
 };
 

@@ -25,7 +25,7 @@ class LeafPacker {
                            std::span<std::uint32_t> counts) = 0;
 
   /// The block with these objects, which fit into one.
-  [[nodiscard]] virtual TriangleBlock pack(std::span<const std::uint32_t> places) const = 0;
+  [[nodiscard]] virtual TriangleBlock pack(std::span<const std::uint32_t> places) = 0;
 };
 
 }  // namespace planetree::detail

@@ -1,5 +1,6 @@
 #include "node/plan_slots.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace planetree::detail {
@@ -36,16 +37,20 @@ void SlotPlanner::plan(std::span<const Part> parts, std::size_t index,
   }
   const SlotPlan& left = plans[leftChild(index)];
   const SlotPlan& right = plans[rightChild(parts, index)];
-  for (std::size_t slots = 0; slots <= kSlotCount; ++slots) {
-    plan.cost[slots] = kInfinity;
-    for (std::size_t leftSlots = 0; leftSlots <= slots; ++leftSlots) {
-      const float cost = left.cost[leftSlots] + right.cost[slots - leftSlots];
-      if (cost < plan.cost[slots]) {
-        plan.cost[slots] = cost;
-        plan.leftSlots[slots] = static_cast<std::uint8_t>(leftSlots);
-      }
+  // All slot counts at once for each number of left slots, which compilers make vectors of.
+  std::array<std::uint32_t, kSlotCount + 1> leftSlotsOf = {};
+  plan.cost.fill(kInfinity);
+  for (std::uint32_t leftSlots = 0; leftSlots <= kSlotCount; ++leftSlots) {
+    const float leftCost = left.cost[leftSlots];
+    for (std::size_t rightSlots = 0; rightSlots <= kSlotCount - leftSlots; ++rightSlots) {
+      const std::size_t slots = leftSlots + rightSlots;
+      const float cost = leftCost + right.cost[rightSlots];
+      leftSlotsOf[slots] = cost < plan.cost[slots] ? leftSlots : leftSlotsOf[slots];
+      plan.cost[slots] = cost < plan.cost[slots] ? cost : plan.cost[slots];
     }
   }
+  std::transform(leftSlotsOf.begin(), leftSlotsOf.end(), plan.leftSlots.begin(),
+                 [](std::uint32_t slots) { return static_cast<std::uint8_t>(slots); });
   plan.leftSlotsOfNode = plan.leftSlots[kSlotCount];
   const float nodeCost =
       static_cast<float>(area * kNodeCost + nodeMemoryCost_) + plan.cost[kSlotCount];

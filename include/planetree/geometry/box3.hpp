@@ -37,11 +37,10 @@ struct Box3 {
   }
 
   constexpr void extend(const Vec3f& point) noexcept {
+    // Choices, of which compilers make no branches.
     for (const Axis axis : kAxes) {
-      if (point[axis] < lower[axis])
-        lower[axis] = point[axis];
-      if (point[axis] > upper[axis])
-        upper[axis] = point[axis];
+      lower[axis] = point[axis] < lower[axis] ? point[axis] : lower[axis];
+      upper[axis] = point[axis] > upper[axis] ? point[axis] : upper[axis];
     }
   }
   void extend(const Vec3d& point) noexcept {

@@ -28,7 +28,7 @@ class CountingPacker final : public LeafPacker {
     for (std::size_t i = 0; i < places.size(); ++i)
       counts[i] = static_cast<std::uint32_t>(i / objectsPerBlock_ + 1);
   }
-  [[nodiscard]] TriangleBlock pack(std::span<const std::uint32_t> places) const override {
+  [[nodiscard]] TriangleBlock pack(std::span<const std::uint32_t> places) override {
     EXPECT_LE(places.size(), objectsPerBlock_);
     TriangleBlock block = {};
     block.usedLanes = (1u << places.size()) - 1u;
