@@ -11,9 +11,10 @@
 
 #include <planetree/node/node_layout.hpp>
 
+#include "isa/count_ends-inl.hpp"
 #include "isa/distance_bounds-inl.hpp"
+#include "isa/kernels.hpp"
 #include "isa/prepare_ray-inl.hpp"
-#include "isa/wide_kernels.hpp"
 #include "traversal/wide_query.hpp"
 
 #include <hwy/cache_control.h>
@@ -727,12 +728,13 @@ struct AnyHandedOver {
   static constexpr bool kHandsOver = true;
 };
 
-constexpr WideKernels kernelsNamed(std::string_view name) {
+constexpr Kernels kernelsNamed(std::string_view name) {
   return {.name = name,
           .findNearest = search<Nearest>,
           .findAny = search<Any>,
           .handOverForNearest = search<NearestHandedOver>,
-          .handOverForAny = search<AnyHandedOver>};
+          .handOverForAny = search<AnyHandedOver>,
+          .countEnds = countEnds};
 }
 
 }  // namespace planetree::detail::HWY_NAMESPACE

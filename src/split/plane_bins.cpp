@@ -1,5 +1,7 @@
 #include "split/plane_bins.hpp"
 
+#include "isa/kernels.hpp"
+
 #include <algorithm>
 
 namespace planetree::detail {
@@ -33,11 +35,27 @@ double BinScale::highestIn(Axis axis, std::size_t bin) const noexcept {
 }
 
 void BinCounts::add(std::span<const Reference> references, const BinScale& scale) noexcept {
-  for (const Reference& reference : references) {
-    for (const Axis axis : kAxes) {
-      const auto a = static_cast<std::size_t>(axis);
-      ++lowerEnds[a][scale.binOf(axis, reference.bounds.lower[axis])];
-      ++upperEnds[a][scale.binOf(axis, reference.bounds.upper[axis])];
+  static_assert(sizeof(Reference) == EndCounting::kLaneCount * sizeof(float));
+  static_assert(sizeof(BinCounts) == EndCounting::kEndCount * kMaxBinCount * sizeof(std::uint32_t));
+  EndCounting counting;
+  for (const Axis axis : kAxes) {
+    const auto a = static_cast<std::size_t>(axis);
+    counting.lower[a] = counting.lower[a + 3] = scale.lower(axis);
+    counting.scale[a] = counting.scale[a + 3] = scale.binsPerLength(axis);
+  }
+  counting.lastBin = scale.lastBin();
+  counting.boxes = &references.data()->bounds.lower.x;
+  counting.boxCount = references.size();
+  counting.counts = lowerEnds.front().data();
+  Counts others[EndCounting::kEndCount];
+  for (Counts& counts : others)
+    std::fill_n(counts.begin(), scale.binCount(), 0u);
+  counting.otherCounts = others[0].data();
+  kernels().countEnds(counting);
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t bin = 0; bin < scale.binCount(); ++bin) {
+      lowerEnds[a][bin] += others[a][bin];
+      upperEnds[a][bin] += others[a + 3][bin];
     }
   }
 }

@@ -4,6 +4,8 @@
 #include <planetree/split/cost_model.hpp>
 #include <planetree/split/reference.hpp>
 
+#include "split/end_counting.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +30,15 @@ class BinScale {
     return static_cast<std::size_t>(static_cast<std::int32_t>(above < last_ ? above : last_));
   }
 
+  /// For counting.
+  [[nodiscard]] float lower(Axis axis) const noexcept {
+    return lower_[static_cast<std::size_t>(axis)];
+  }
+  [[nodiscard]] float binsPerLength(Axis axis) const noexcept {
+    return scale_[static_cast<std::size_t>(axis)];
+  }
+  [[nodiscard]] float lastBin() const noexcept { return last_; }
+
   /// How far from the lower wall of the cell the positions of a bin are: at least, or at most if
   /// `binCount` bins from 0 on are meant. Rounding is allowed for.
   [[nodiscard]] double lowestIn(Axis axis, std::size_t bin) const noexcept;
@@ -46,8 +57,9 @@ class BinScale {
 /// Kapustin, "Highly parallel fast kd-tree construction for interactive ray tracing of dynamic
 /// scenes", Eurographics 2007 ("min-max binning").
 struct BinCounts {
-  static constexpr std::size_t kMaxBinCount = 256;
+  static constexpr std::size_t kMaxBinCount = EndCounting::kMaxBinCount;
 
+  /// By axis and bin. One behind the other, as the kernels count them.
   using Counts = std::array<std::uint32_t, kMaxBinCount>;
   std::array<Counts, 3> lowerEnds = {};
   std::array<Counts, 3> upperEnds = {};

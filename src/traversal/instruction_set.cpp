@@ -1,6 +1,6 @@
 #include <planetree/traversal/instruction_set.hpp>
 
-#include "isa/wide_kernels.hpp"
+#include "isa/kernels.hpp"
 #include "support/assert.hpp"
 
 #include <array>
@@ -16,7 +16,7 @@ struct Names {
   std::size_t count = 0;
 
   Names() noexcept {
-    for (const detail::WideKernels& kernels : detail::supportedWideKernels()) {
+    for (const detail::Kernels& kernels : detail::supportedKernels()) {
       PLANETREE_ASSERT(count < names.size());
       names[count++] = kernels.name;
     }
@@ -26,7 +26,7 @@ struct Names {
 }  // namespace
 
 std::string_view activeInstructionSet() noexcept {
-  return detail::wideKernels().name;
+  return detail::kernels().name;
 }
 
 std::span<const std::string_view> supportedInstructionSets() noexcept {

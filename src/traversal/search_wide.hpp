@@ -6,7 +6,7 @@
 #include <planetree/mesh/triangle_mesh.hpp>
 #include <planetree/traversal/tree_view.hpp>
 
-#include "isa/wide_kernels.hpp"
+#include "isa/kernels.hpp"
 #include "mesh/float_normal.hpp"
 #include "node/wide_node.hpp"
 #include "traversal/traverse.hpp"
@@ -52,7 +52,7 @@ class WideSearch : public WideQuery {
     }
   }
 
-  [[nodiscard]] bool run(const WideKernels& kernels) noexcept {
+  [[nodiscard]] bool run(const Kernels& kernels) noexcept {
     const bool handsOver = !std::is_same_v<T, float> || Goal::kOffersHits || !seesAll(request_);
     if constexpr (Goal::kStopsAtAnyHit)
       return (handsOver ? kernels.handOverForAny : kernels.findAny)(*this);
@@ -206,7 +206,7 @@ class WideSearch : public WideQuery {
 /// are choices to make, the kernels find the candidates, which takes a few dozen nanoseconds more.
 template <class Goal, class T>
 [[nodiscard]] std::optional<bool> searchWide(const Request<T>& request, Hit<T>& hit,
-                                             const WideKernels& kernels = wideKernels()) noexcept {
+                                             const Kernels& kernels = kernels()) noexcept {
   if (request.tree.wide == nullptr)
     return std::nullopt;
   WideSearch<Goal, T> search(request, hit);

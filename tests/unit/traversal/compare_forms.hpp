@@ -29,7 +29,7 @@ std::size_t compareForms(const TreeView<T>& tree, const std::vector<Ray<T>>& ray
     const std::optional<Hit<T>> expected = askBinaryForm(tree, ray, options);
     Request<T> request(tree, ray, ray.tMin, ray.tMax);
     request.mask = options.mask;
-    for (const WideKernels& kernels : supportedWideKernels()) {
+    for (const Kernels& kernels : supportedKernels()) {
       Hit<T> hit;
       const std::optional<bool> found = searchWide<NearestHit>(request, hit, kernels);
       if (!found)

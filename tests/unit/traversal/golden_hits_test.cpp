@@ -225,7 +225,7 @@ TEST(GoldenHits, BothFormsOfTheTreeHaveTheirBits) {
 TEST(GoldenHits, EveryInstructionSetHasTheirBits) {
   const GoldenScene<float> scene;
   const TreeView<float> view = scene.tree.view();
-  for (const WideKernels& kernels : supportedWideKernels()) {
+  for (const Kernels& kernels : supportedKernels()) {
     std::size_t answeredCount = 0;
     const auto findIntersection = [&](const Rayf& ray) -> std::optional<Hitf> {
       const Query<float> query(view, ray, ray.tMin, ray.tMax);

@@ -112,7 +112,7 @@ TEST(WideFormOfDoubles, TellsHitsApartThatAreOneFloatFromEachOther) {
     rays.push_back({{x, 0, 1.0 + start}, {0, 0, 1}, 0.0, length});
     rays.push_back({{x, 0, 1.0 + start}, {1e-3, 0, -1}});
   }
-  EXPECT_EQ(compareAll(mesh, rays), rays.size() * supportedWideKernels().size());
+  EXPECT_EQ(compareAll(mesh, rays), rays.size() * supportedKernels().size());
 }
 
 TEST(WideFormOfDoubles, FindsSliversNarrowerThanAFloat) {
@@ -158,7 +158,7 @@ TEST(WideFormOfDoubles, NearlyParallelRaysMeetTheBoxesThatTheyGraze) {
     const Vec3d target = mesh.positions[random.below(mesh.positions.size())];
     rays.push_back({target - direction * random.between(0.0, 5.0), direction});
   }
-  EXPECT_EQ(compareAll(mesh, rays), rays.size() * supportedWideKernels().size());
+  EXPECT_EQ(compareAll(mesh, rays), rays.size() * supportedKernels().size());
 }
 
 TEST(WideFormOfDoubles, NoRayLeavesAClosedMeshSmallerThanTheGapsOfFloats) {

@@ -43,7 +43,7 @@ TYPED_TEST(WideForm, AgreesBitForBitWithTheBinaryFormOnEveryInstructionSet) {
 template <class T>
 std::optional<std::vector<Hit<T>>> askForAll(const TreeView<T>& tree, const Ray<T>& ray,
                                              const QueryOptions& options,
-                                             const WideKernels& kernels) {
+                                             const Kernels& kernels) {
   std::vector<Hit<T>> hits(200);
   const HitChoices<T> choices{options, ray.direction};
   Request<T> request(tree, ray, ray.tMin, ray.tMax);
@@ -79,7 +79,7 @@ TYPED_TEST(WideForm, FindsAllHitsOnEveryInstructionSet) {
       std::vector<Hit<T>> expected(200);
       const FoundHits found = findIntersections<T>(tree.view(), ray, expected, options, &steps);
       expected.resize(found.count);
-      for (const WideKernels& kernels : supportedWideKernels()) {
+      for (const Kernels& kernels : supportedKernels()) {
         ASSERT_EQ(askForAll(tree.view(), ray, options, kernels).value_or(expected), expected)
             << kernels.name << ", " << test::describeSeed();
       }
@@ -127,12 +127,12 @@ TYPED_TEST(WideForm, AnswersAlmostAllRaysOfOrdinaryScenes) {
   using T = TypeParam;
   const auto tree = buildTree(test::detail::soup<T>(16, 500, 0.1));
   const auto rays = test::hardRays(TriangleMesh<T>{}, tree.bounds(), 500, 17);
-  EXPECT_EQ(compareForms(tree.view(), rays), rays.size() * supportedWideKernels().size());
+  EXPECT_EQ(compareForms(tree.view(), rays), rays.size() * supportedKernels().size());
 }
 
-TEST(WideKernels, EveryMachineHasThePlainOnes) {
-  ASSERT_FALSE(supportedWideKernels().empty());
-  EXPECT_EQ(supportedWideKernels().back().name, "scalar");
+TEST(Kernels, EveryMachineHasThePlainOnes) {
+  ASSERT_FALSE(supportedKernels().empty());
+  EXPECT_EQ(supportedKernels().back().name, "scalar");
 }
 
 }  // namespace

@@ -1,14 +1,15 @@
 #pragma once
 
-#include "traversal/wide_query.hpp"
-
 #include <span>
 #include <string_view>
 
 namespace planetree::detail {
 
-/// The loop over the wide form, compiled for one instruction set. All of them give the same bits.
-struct WideKernels {
+struct EndCounting;
+struct WideQuery;
+
+/// The loops that are compiled for each instruction set. All of them give the same bits.
+struct Kernels {
   std::string_view name;  ///< "scalar", "sse4", "avx2", "avx512", "neon"
   /// Finds the nearest hit with t from `tMin` to `hitT`, of equal ones that with the lowest object.
   /// True if there is one, which is then in `query`.
@@ -19,17 +20,19 @@ struct WideKernels {
   /// triangles that the ray may hit, and keeps the hit.
   bool (*handOverForNearest)(WideQuery& query) noexcept;
   bool (*handOverForAny)(WideQuery& query) noexcept;
+  /// Counts the ends of boxes by bins.
+  void (*countEnds)(const EndCounting& counting) noexcept;
 };
 
 /// Those that this machine can run, the best one first.
-[[nodiscard]] std::span<const WideKernels> supportedWideKernels() noexcept;
+[[nodiscard]] std::span<const Kernels> supportedKernels() noexcept;
 
 /// The best one, unless PLANETREE_ISA names another: see instruction_set.hpp.
-[[nodiscard]] const WideKernels& chooseWideKernels() noexcept;
+[[nodiscard]] const Kernels& chooseKernels() noexcept;
 
 /// The same, chosen at the first call, once for the program.
-[[nodiscard]] inline const WideKernels& wideKernels() noexcept {
-  static const WideKernels& chosen = chooseWideKernels();
+[[nodiscard]] inline const Kernels& kernels() noexcept {
+  static const Kernels& chosen = chooseKernels();
   return chosen;
 }
 

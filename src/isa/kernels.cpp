@@ -1,4 +1,4 @@
-#include "isa/wide_kernels.hpp"
+#include "isa/kernels.hpp"
 
 // Of what Highway can compile for, the sets that differ enough to matter.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
@@ -7,7 +7,7 @@
 #define HWY_COMPILE_ALL_ATTAINABLE
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "isa/wide_kernels.cpp"
+#define HWY_TARGET_INCLUDE "isa/kernels.cpp"
 #include <hwy/foreach_target.h>
 // Behind foreach_target.h, which compiles what follows once for each set.
 #include <hwy/highway.h>
@@ -24,7 +24,7 @@ namespace {
 
 struct Target {
   std::int64_t bit;
-  WideKernels kernels;
+  Kernels kernels;
 };
 
 constexpr std::array kTargets = {
@@ -49,7 +49,7 @@ constexpr std::array kTargets = {
 };
 
 struct SupportedKernels {
-  std::array<WideKernels, kTargets.size()> kernels = {};
+  std::array<Kernels, kTargets.size()> kernels = {};
   std::size_t count = 0;
 
   SupportedKernels() noexcept {
@@ -65,18 +65,18 @@ struct SupportedKernels {
 
 }  // namespace
 
-std::span<const WideKernels> supportedWideKernels() noexcept {
+std::span<const Kernels> supportedKernels() noexcept {
   static const SupportedKernels supported;
   return {supported.kernels.data(), supported.count};
 }
 
-const WideKernels& chooseWideKernels() noexcept {
+const Kernels& chooseKernels() noexcept {
   const std::string_view wanted = requestedInstructionSet();
-  for (const WideKernels& kernels : supportedWideKernels()) {
+  for (const Kernels& kernels : supportedKernels()) {
     if (kernels.name == wanted)
       return kernels;
   }
-  return supportedWideKernels().front();
+  return supportedKernels().front();
 }
 
 }  // namespace planetree::detail
