@@ -9,16 +9,16 @@
 namespace planetree::detail {
 namespace {
 
-/// More objects than this are halved without looking for the best cut.
+/// More objects than this are not sorted: to look at all positions would not pay.
 constexpr std::size_t kMostSwept = 4096;
+constexpr std::size_t kMostSweptOfBins = 24;
+
+/// What a block holds on average of faces that share their corners.
+constexpr double kFacesPerBlock = 12.0;
 
 /// From here on parts are halved, so that cuts of single objects cannot make the tree too deep: a
 /// leaf has less than 2^32 objects.
 constexpr std::size_t kMaxSweptDepth = kMaxLeafDivisions - 32;
-
-float centerAlong(const Box3& box, Axis axis) noexcept {
-  return 0.5f * box.lower[axis] + 0.5f * box.upper[axis];
-}
 
 Axis longestAxis(const Box3& box) noexcept {
   const Vec3f size = box.size();
@@ -48,25 +48,40 @@ void LeafDivider::divideRange(std::size_t begin, std::size_t end, std::size_t de
   if (places.empty())
     return;
   const std::size_t firstBlock = blocks.size();
-  countBlocks(places, leftCounts_);
-  if (leftCounts_.back() == 1) {
+  if (fitsIntoOne(places)) {
     if (packer_ != nullptr)
       blocks.push_back(packer_->pack(places));
     else
       parts[index].first = firstReference_ + places.front();
   } else {
     PLANETREE_ASSERT(depth < kMaxLeafDivisions);
-    const bool isSwept = places.size() <= kMostSwept && depth < kMaxSweptDepth;
-    const Cut cut = isSwept ? findBestCut(places) : halve(places);
-    parts[index].axis = cut.axis;
-    divideRange(begin, begin + cut.leftCount, depth + 1, parts, blocks);
+    const auto [axis, leftCount] = cut(places, depth);
+    parts[index].axis = axis;
+    divideRange(begin, begin + leftCount, depth + 1, parts, blocks);
     parts[index].right = static_cast<std::uint32_t>(parts.size());
-    divideRange(begin + cut.leftCount, end, depth + 1, parts, blocks);
+    divideRange(begin + leftCount, end, depth + 1, parts, blocks);
   }
   if (packer_ != nullptr) {
     parts[index].first = static_cast<std::uint32_t>(firstBlock);
     parts[index].blockCount = static_cast<std::uint32_t>(blocks.size() - firstBlock);
   }
+}
+
+bool LeafDivider::fitsIntoOne(std::span<const std::uint32_t> places) {
+  if (packer_ == nullptr || places.size() > TriangleBlock::kLaneCount)
+    return places.size() == 1;
+  countBlocks(places, leftCounts_);
+  return leftCounts_.back() == 1;
+}
+
+LeafDivider::Cut LeafDivider::cut(std::span<std::uint32_t> places, std::size_t depth) {
+  if (depth >= kMaxSweptDepth)
+    return halve(places);
+  if (places.size() <= (cuts_ == LeafCuts::Bins ? kMostSweptOfBins : kMostSwept))
+    return findBestCut(places);
+  const double perTest = packer_ != nullptr ? kFacesPerBlock : 1.0;
+  const std::optional<Cut> found = bins_.divide(boxes_, centersOf(places), places, perTest);
+  return found ? *found : halve(places);
 }
 
 LeafDivider::Cut LeafDivider::halve(std::span<std::uint32_t> places) {

@@ -3,6 +3,7 @@
 #include <planetree/geometry/axis.hpp>
 #include <planetree/geometry/box3.hpp>
 
+#include "node/center_bins.hpp"
 #include "node/leaf_packer.hpp"
 #include "node/part.hpp"
 #include "node/wide_node.hpp"
@@ -16,10 +17,18 @@
 
 namespace planetree::detail {
 
+/// How carefully leaves are divided.
+enum class LeafCuts : std::uint8_t {
+  AllPositions,  ///< all positions between two objects are tried
+  Bins,          ///< the edges between a few bins are tried
+};
+
 /// Divides leaves of the binary form by their objects, until each part is a block or an object, no
 /// more than `kMaxLeafDivisions` times one after the other.
 class LeafDivider {
  public:
+  explicit LeafDivider(LeafCuts cuts = LeafCuts::AllPositions) noexcept : cuts_(cuts) {}
+
   /// Adds the parts of a leaf to `parts` and its blocks to `blocks`. `boxes` has what each object
   /// has inside the cell; without a packer each object is on its own, and `firstReference` is the
   /// reference of the first one. Objects stay in one leaf, so the boxes of parts may overlap.
@@ -27,19 +36,18 @@ class LeafDivider {
   /// By the surface area heuristic over the centers of the boxes along all axes, where each side
   /// costs as many tests as it has blocks: MacDonald and Booth, "Heuristics for ray tracing using
   /// space subdivision", 1990; Wald, "On fast construction of SAH-based bounding volume
-  /// hierarchies", 2007. Here all positions are tried. Very large leaves are halved along their
-  /// longest axis first. O(n log^2 n).
+  /// hierarchies", 2007. Very large leaves are divided by bins first, in any case. O(n log^2 n).
   void divide(std::span<const Box3> boxes, LeafPacker* packer, std::uint32_t firstReference,
               std::vector<Part>& parts, std::vector<TriangleBlock>& blocks);
 
  private:
-  struct Cut {
-    Axis axis = Axis::X;
-    std::size_t leftCount = 0;
-  };
+  using Cut = CenterBins::Cut;
 
   void divideRange(std::size_t begin, std::size_t end, std::size_t depth, std::vector<Part>& parts,
                    std::vector<TriangleBlock>& blocks);
+  /// Whether objects are a block, or a single one.
+  [[nodiscard]] bool fitsIntoOne(std::span<const std::uint32_t> places);
+  [[nodiscard]] Cut cut(std::span<std::uint32_t> places, std::size_t depth);
   [[nodiscard]] Cut halve(std::span<std::uint32_t> places);
   [[nodiscard]] Cut findBestCut(std::span<std::uint32_t> places);
   /// `areas[i]` becomes the surface area of the first i + 1 of these boxes together.
@@ -49,12 +57,14 @@ class LeafDivider {
   [[nodiscard]] Box3 boundsOf(std::span<const std::uint32_t> places) const noexcept;
   [[nodiscard]] Box3 centersOf(std::span<const std::uint32_t> places) const noexcept;
 
+  LeafCuts cuts_;
   std::span<const Box3> boxes_;
   LeafPacker* packer_ = nullptr;
   std::uint32_t firstReference_ = 0;
   std::vector<std::uint32_t> places_;  ///< indices of the boxes, those of each part together
 
   // Room that is used again.
+  CenterBins bins_;
   WordSorter sorter_;
   PlainArray<std::uint64_t> words_;
   std::vector<std::uint32_t> order_;

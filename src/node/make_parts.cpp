@@ -1,7 +1,5 @@
 #include "node/make_parts.hpp"
 
-#include "node/divide_leaf.hpp"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -20,9 +18,10 @@ struct SubtreeParts {
   MemoryCharge blocksCharge;
 };
 
-SubtreeParts makeSubtreeParts(const NodeArray& tree, LeafPacker& packer, MemoryMeter& memory) {
+SubtreeParts makeSubtreeParts(const NodeArray& tree, LeafCuts cuts, LeafPacker& packer,
+                              MemoryMeter& memory) {
   SubtreeParts made;
-  LeafDivider divider;
+  LeafDivider divider(cuts);
   std::vector<std::uint32_t> partOf(tree.nodes().size());
   for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
     partOf[i] = static_cast<std::uint32_t>(made.parts.size());
@@ -69,15 +68,15 @@ void TreeParts::forAllUpwards(const std::function<void(std::size_t part)>& each)
     each(tops[i]);
 }
 
-TreeParts makeParts(TreePieces tree, const MakeLeafPacker& makePacker, MemoryMeter& memory,
-                    const std::function<void(double part)>& advance) {
+TreeParts makeParts(TreePieces tree, LeafCuts cuts, const MakeLeafPacker& makePacker,
+                    MemoryMeter& memory, const std::function<void(double part)>& advance) {
   std::vector<SubtreeParts> made(tree.subtrees().size());
   std::vector<std::size_t> firstReference(made.size() + 1);
   for (std::size_t i = 0; i < made.size(); ++i)
     firstReference[i + 1] = firstReference[i] + tree.subtrees()[i].references().size();
   const auto total = static_cast<double>(std::max<std::size_t>(firstReference.back(), 1));
   tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
-    made[i] = makeSubtreeParts(tree.takeSubtree(i), *makePacker(), memory);
+    made[i] = makeSubtreeParts(tree.takeSubtree(i), cuts, *makePacker(), memory);
     advance(static_cast<double>(firstReference[i + 1] - firstReference[i]) / total);
   });
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "node/divide_leaf.hpp"
 #include "node/leaf_packer.hpp"
 #include "node/part.hpp"
 #include "node/tree_pieces.hpp"
@@ -42,7 +43,7 @@ struct TreeParts {
 
 /// Divides the leaves of the pieces by their objects (`LeafDivider`), in the current oneTBB arena,
 /// and frees them one after the other. `advance` is told what part of the work has been done.
-[[nodiscard]] TreeParts makeParts(TreePieces tree, const MakeLeafPacker& makePacker,
+[[nodiscard]] TreeParts makeParts(TreePieces tree, LeafCuts cuts, const MakeLeafPacker& makePacker,
                                   MemoryMeter& memory,
                                   const std::function<void(double part)>& advance);
 

@@ -81,12 +81,13 @@ Vec3f centerOfWideTree(const Box3& bounds) noexcept {
   return center;
 }
 
-WideTree widenTree(TreePieces tree, const Box3& bounds, const MakeLeafPacker& makePacker,
-                   MemoryMeter& memory, const std::function<void(double part)>& advance) {
+WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
+                   const MakeLeafPacker& makePacker, MemoryMeter& memory,
+                   const std::function<void(double part)>& advance) {
   if (bounds.isEmpty())
     return {};
   const std::size_t referenceCount = tree.referenceCount();
-  const TreeParts all = makeParts(std::move(tree), makePacker, memory,
+  const TreeParts all = makeParts(std::move(tree), cuts, makePacker, memory,
                                   [&](double part) { advance(kPartOfMakingParts * part); });
   const std::span<const Part> parts = all.parts.values();
   if (parts.front().isEmpty())

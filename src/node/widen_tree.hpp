@@ -26,7 +26,7 @@ namespace planetree::detail {
 ///
 /// Frees the binary form as it goes, and counts what it takes itself. `advance` is told what part
 /// of the work has been done; what it throws comes out.
-[[nodiscard]] WideTree widenTree(TreePieces tree, const Box3& bounds,
+[[nodiscard]] WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
                                  const MakeLeafPacker& makePacker, MemoryMeter& memory,
                                  const std::function<void(double part)>& advance);
 

@@ -144,6 +144,7 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     const Vec3f center = centerOfWideTree(tree.bounds);
     WideTree wide = widenTree(
         std::move(pieces), tree.bounds,
+        options.exactPlanes ? LeafCuts::AllPositions : LeafCuts::Bins,
         [&] { return std::make_unique<FacePacker<T>>(tree.geometries, center); }, monitor.memory(),
         [&](double part) { monitor.advance(part); });
     wide.commonMask = commonMaskOf(tree.geometries);
