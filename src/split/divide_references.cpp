@@ -5,7 +5,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace planetree::detail {
@@ -13,6 +16,14 @@ namespace {
 
 // What one thread divides at a time.
 constexpr std::size_t kBatchSize = 1u << 14u;
+// What it divides in the nearest cache, before it goes to its place.
+constexpr std::size_t kPieceSize = 1u << 10u;
+
+void removeEmpty(PlainArray<Reference>& references) noexcept {
+  const auto removed = std::ranges::remove_if(
+      references.values(), [](const Reference& r) { return r.bounds.isEmpty(); });
+  references.resize(references.size() - removed.size());
+}
 
 }  // namespace
 
@@ -73,42 +84,81 @@ void ReferenceDivider::clipStraddling(PlainArray<Reference>& side,
     side.data()[straddling[i]] = clipped_.data()[i];
     isAnyEmpty |= clipped_.data()[i].bounds.isEmpty();
   }
-  if (isAnyEmpty) {
-    const auto removed = std::ranges::remove_if(
-        side.values(), [](const Reference& r) { return r.bounds.isEmpty(); });
-    side.resize(side.size() - removed.size());
+  if (isAnyEmpty)
+    removeEmpty(side);
+}
+
+CellReferences ReferencePool::take(std::size_t count) {
+  const std::lock_guard lock(mutex_);
+  // The smallest of those that are large enough.
+  auto best = free_.end();
+  for (auto it = free_.begin(); it != free_.end(); ++it) {
+    const std::size_t capacity = it->references.capacity();
+    if (capacity >= count && (best == free_.end() || capacity < best->references.capacity()))
+      best = it;
   }
+  if (best == free_.end())
+    return {count, memory_};
+  CellReferences taken = std::move(*best);
+  free_.erase(best);
+  taken.references.resize(count);
+  return taken;
+}
+
+void ReferencePool::giveBack(CellReferences references) {
+  const std::lock_guard lock(mutex_);
+  free_.push_back(std::move(references));
 }
 
 DividedReferences divideTogether(CellReferences cellReferences, const SplitPlane& plane,
                                  const Box3& cell, const BuildOptions& options,
-                                 const ClipReferences& clip, MemoryMeter& memory) {
-  const PlainArray<Reference>& references = cellReferences.references;
+                                 const ClipReferences& clip, ReferencePool& pool) {
+  const std::span<const Reference> references = cellReferences.references.values();
   const std::size_t batchCount = (references.size() + kBatchSize - 1) / kBatchSize;
-  std::vector<ReferenceDivider> batches;
-  batches.reserve(batchCount);
-  for (std::size_t i = 0; i < batchCount; ++i)
-    batches.emplace_back(options, clip);
-  tbb::parallel_for(std::size_t{0}, batchCount, [&](std::size_t i) {
-    const std::size_t begin = i * kBatchSize;
-    const std::size_t count = std::min(kBatchSize, references.size() - begin);
-    batches[i].divide(references.values().subspan(begin, count), plane, cell);
-  });
-  cellReferences = {};
+  const auto batchOf = [&](std::size_t i) {
+    return references.subspan(i * kBatchSize,
+                              std::min(kBatchSize, references.size() - i * kBatchSize));
+  };
+  // Where each batch goes to on both sides, so that the order stays.
   std::vector<std::size_t> firstLeft(batchCount + 1);
   std::vector<std::size_t> firstRight(batchCount + 1);
-  for (std::size_t i = 0; i < batchCount; ++i) {
-    firstLeft[i + 1] = firstLeft[i] + batches[i].left().size();
-    firstRight[i + 1] = firstRight[i] + batches[i].right().size();
-  }
-  const MemoryCharge batchesCharge(memory,
-                                   (firstLeft.back() + firstRight.back()) * sizeof(Reference));
-  DividedReferences divided{.left = CellReferences(firstLeft.back(), memory),
-                            .right = CellReferences(firstRight.back(), memory)};
   tbb::parallel_for(std::size_t{0}, batchCount, [&](std::size_t i) {
-    std::ranges::copy(batches[i].left(), divided.left.references.data() + firstLeft[i]);
-    std::ranges::copy(batches[i].right(), divided.right.references.data() + firstRight[i]);
+    firstLeft[i + 1] = countLeftObjects(batchOf(i), plane, options.planarRule);
+    firstRight[i + 1] = countRightObjects(batchOf(i), plane, options.planarRule);
   });
+  std::partial_sum(firstLeft.begin(), firstLeft.end(), firstLeft.begin());
+  std::partial_sum(firstRight.begin(), firstRight.end(), firstRight.begin());
+
+  DividedReferences divided{.left = pool.take(firstLeft.back()),
+                            .right = pool.take(firstRight.back())};
+  const std::span<Reference> left = divided.left.references.values();
+  const std::span<Reference> right = divided.right.references.values();
+  std::atomic<bool> isAnyGone = false;
+  tbb::parallel_for(std::size_t{0}, batchCount, [&](std::size_t i) {
+    ReferenceDivider divider(options, clip);
+    std::size_t leftEnd = firstLeft[i];
+    std::size_t rightEnd = firstRight[i];
+    for (auto rest = batchOf(i); !rest.empty();) {
+      const auto piece = rest.first(std::min(kPieceSize, rest.size()));
+      rest = rest.subspan(piece.size());
+      divider.divide(piece, plane, cell);
+      std::ranges::copy(divider.left(), left.begin() + static_cast<std::ptrdiff_t>(leftEnd));
+      std::ranges::copy(divider.right(), right.begin() + static_cast<std::ptrdiff_t>(rightEnd));
+      leftEnd += divider.left().size();
+      rightEnd += divider.right().size();
+    }
+    // Clipping may leave nothing of an object on one side.
+    if (leftEnd != firstLeft[i + 1] || rightEnd != firstRight[i + 1]) {
+      std::ranges::fill(left.subspan(leftEnd, firstLeft[i + 1] - leftEnd), Reference());
+      std::ranges::fill(right.subspan(rightEnd, firstRight[i + 1] - rightEnd), Reference());
+      isAnyGone = true;
+    }
+  });
+  if (isAnyGone) {
+    removeEmpty(divided.left.references);
+    removeEmpty(divided.right.references);
+  }
+  pool.giveBack(std::move(cellReferences));
   return divided;
 }
 

@@ -11,7 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <span>
+#include <vector>
 
 namespace planetree::detail {
 
@@ -58,16 +60,33 @@ struct CellReferences {
   PlainArray<Reference> references;
 };
 
-/// Those on both sides of a plane.
+/// Arrays for the references of cells, which are used again: memory that the system hands out anew
+/// has to be cleared first, which takes longer than to fill it. Any thread may use it.
+class ReferencePool {
+ public:
+  /// `memory` must outlive the pool.
+  explicit ReferencePool(MemoryMeter& memory) : memory_(memory) {}
+
+  [[nodiscard]] CellReferences take(std::size_t count);
+  void giveBack(CellReferences references);
+
+ private:
+  MemoryMeter& memory_;
+  std::mutex mutex_;
+  std::vector<CellReferences> free_;
+};
+
+/// The references on both sides of a plane.
 struct DividedReferences {
   CellReferences left;
   CellReferences right;
 };
 
-/// Does the same with all threads of the current arena, and frees what was divided.
+/// Does the same as a `ReferenceDivider` with all threads of the current arena, and gives back what
+/// was divided.
 [[nodiscard]] DividedReferences divideTogether(CellReferences cellReferences,
                                                const SplitPlane& plane, const Box3& cell,
                                                const BuildOptions& options,
-                                               const ClipReferences& clip, MemoryMeter& memory);
+                                               const ClipReferences& clip, ReferencePool& pool);
 
 }  // namespace planetree::detail

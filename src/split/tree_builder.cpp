@@ -82,11 +82,14 @@ class TreeBuilder::SubtreeBuilder {
   PlainArray<Reference> stack_;
 };
 
-/// Lends a `SubtreeBuilder` to each thread that asks. Not by thread: while a shape clips itself its
-/// thread may take up other work, and come back here.
+/// What is used again. Lends a `SubtreeBuilder` to each thread that asks. Not by thread: while a
+/// shape clips itself its thread may take up other work, and come back here.
 class TreeBuilder::Workshop {
  public:
-  explicit Workshop(const TreeBuilder& builder) : builder_(builder) {}
+  explicit Workshop(const TreeBuilder& builder)
+      : builder_(builder), pool_(builder.monitor_.memory()) {}
+
+  [[nodiscard]] ReferencePool& pool() noexcept { return pool_; }
 
   template <class Work>
   auto with(const Work& work) {
@@ -108,6 +111,7 @@ class TreeBuilder::Workshop {
   }
 
   const TreeBuilder& builder_;
+  ReferencePool pool_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<SubtreeBuilder>> free_;
 };
@@ -124,14 +128,17 @@ TreePieces TreeBuilder::buildPieces(CellReferences cellReferences, const Task& t
     return workshop.with(
         [&](SubtreeBuilder& builder) { return TreePieces(builder.build(references, task)); });
   };
-  if (references.size() < kSubtreeSize)
-    return asOnePiece();
+  if (references.size() < kSubtreeSize) {
+    TreePieces piece = asOnePiece();
+    workshop.pool().giveBack(std::move(cellReferences));
+    return piece;
+  }
   PlaneSearch search(options_);
   const std::optional<SplitPlane> plane = findPlane(references, task, search);
   if (!plane)
     return asOnePiece();
   DividedReferences divided = divideTogether(std::move(cellReferences), *plane, task.cell, options_,
-                                             clip_, monitor_.memory());
+                                             clip_, workshop.pool());
   const Children children =
       childrenOf(task, *plane, divided.left.references.size(), divided.right.references.size());
   std::optional<TreePieces> left;

@@ -32,6 +32,8 @@ class PlainArray {
   [[nodiscard]] T* data() noexcept { return data_; }
   [[nodiscard]] const T* data() const noexcept { return data_; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  /// How large it can get without moving.
+  [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
   [[nodiscard]] std::span<T> values() noexcept { return {data_, size_}; }
   [[nodiscard]] std::span<const T> values() const noexcept { return {data_, size_}; }
   [[nodiscard]] std::span<T> from(std::size_t begin) noexcept { return values().subspan(begin); }
