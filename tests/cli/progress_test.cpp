@@ -75,13 +75,14 @@ TEST_F(Progress, OfALongStepIsShownOnATerminalAndWipedOff) {
 }
 
 TEST_F(Progress, OfABuildIsShownByASubcommandThatSaysNothingElse) {
-  // Enough triangles for a build of seconds, of which many parts are done one after the other.
-  writeFile("soup.obj", soupOfSmallTriangles(400'000));
+  // A build of many seconds on any machine, of which many parts are done one after the other.
+  writeFile("soup.obj", soupOfSmallTriangles(200'000));
   const Terminal terminal;
-  ToolProcess tool(folder(), {.arguments = {"info", "soup.obj", "--threads", "1", "--face-cost",
-                                            "1", "--leaf-size", "0"},
-                              .standardOutput = (streamFolder() / "page").string(),
-                              .standardError = terminal.name()});
+  ToolProcess tool(folder(),
+                   {.arguments = {"info", "soup.obj", "--threads", "1", "--stops-by-cost", "off",
+                                  "--leaf-size", "0", "--references-per-object", "8"},
+                    .standardOutput = (streamFolder() / "page").string(),
+                    .standardError = terminal.name()});
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds{60};
   std::string said;
   const auto showsBar = [&said] {
