@@ -45,9 +45,9 @@ void NodeArray::beginRightChild(std::size_t split) {
 }
 
 void NodeArray::chargeMemory(MemoryMeter& meter) {
-  charge_ = MemoryCharge(meter, nodes_.capacity() * sizeof(Node) +
-                                    references_.capacity() * sizeof(std::uint32_t) +
-                                    boxes_.capacity() * sizeof(Box3));
+  charge_.resize(meter, nodes_.capacity() * sizeof(Node) +
+                            references_.capacity() * sizeof(std::uint32_t) +
+                            boxes_.capacity() * sizeof(Box3));
 }
 
 void requireNodeRoom(std::size_t nodeCount) {

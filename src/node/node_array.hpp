@@ -30,7 +30,8 @@ class NodeArray {
   /// Makes what is added next the right child of that split.
   void beginRightChild(std::size_t split);
 
-  /// Counts what the arrays take, for as long as they live. To be called once, when they are full.
+  /// Counts what the arrays take, for as long as they live. To be called when they are full, and
+  /// now and then before: a tree may grow far beyond the objects that it is made of.
   void chargeMemory(MemoryMeter& meter);
 
   [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }

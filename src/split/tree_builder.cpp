@@ -18,8 +18,9 @@ namespace {
 
 // Below this many references one thread builds a subtree alone.
 constexpr std::size_t kSubtreeSize = 1u << 13u;
-// Smaller cells do not ask whether they should be built at all.
+// Smaller cells do not ask whether they should be built at all; every so many nodes do.
 constexpr std::size_t kWatchedSize = 256;
+constexpr std::size_t kWatchedNodeCount = 256;
 
 void addLeaf(std::span<const Reference> references, const Box3& cell, NodeArray& tree) {
   const std::span<std::uint32_t> objects = tree.addLeaf(references.size());
@@ -56,6 +57,10 @@ class TreeBuilder::SubtreeBuilder {
  private:
   /// Builds the cell whose references lie on the stack from `begin` on, and takes them off.
   void build(std::size_t begin, const Task& task, NodeArray& tree) {
+    if (tree.nodes().size() % kWatchedNodeCount == 0) {
+      builder_.monitor_.throwIfStopped();
+      tree.chargeMemory(builder_.monitor_.memory());
+    }
     const std::span<const Reference> references = stack_.from(begin);
     const std::optional<SplitPlane> plane = findPlane(references, task);
     if (!plane) {

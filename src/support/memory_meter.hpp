@@ -39,6 +39,15 @@ class MemoryCharge {
     std::swap(bytes_, other.bytes_);
     return *this;
   }
+  /// Counts `bytes` from now on. Throws as `MemoryMeter::add` does, and changes nothing then.
+  void resize(MemoryMeter& meter, std::size_t bytes) {
+    if (bytes > bytes_)
+      meter.add(bytes - bytes_);
+    else
+      meter.remove(bytes_ - bytes);
+    meter_ = &meter;
+    bytes_ = bytes;
+  }
   ~MemoryCharge() {
     if (meter_ != nullptr)
       meter_->remove(bytes_);

@@ -3,11 +3,13 @@
 #include "command_options.hpp"
 #include "option_syntax.hpp"
 #include "trace_test.hpp"
+#include "usage_error.hpp"
 
 #include <planetree/build_tree.hpp>
 #include <planetree/shape/sphere.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <tuple>
@@ -88,10 +90,10 @@ BuildOptions parsedTreeOptions(std::vector<std::string> arguments) {
 /// there does not compile here, until it is in the list and has an option.
 auto membersOf(const BuildOptions& options) {
   const auto& [leafSize, depthLimit, cost, stopsByCost, allowsEmptyCells, clipsReferences,
-               planarRule, referencesPerObject, threadCount] = options;
+               planarRule, exactPlanes, referencesPerObject, threadCount] = options;
   const auto& [traversalCost, intersectionCost, faceCost, emptyBonus] = cost;
   return std::tuple(leafSize, depthLimit, traversalCost, intersectionCost, faceCost, emptyBonus,
-                    stopsByCost, allowsEmptyCells, clipsReferences, planarRule,
+                    stopsByCost, allowsEmptyCells, clipsReferences, planarRule, exactPlanes,
                     referencesPerObject);
 }
 
@@ -142,22 +144,22 @@ std::vector<std::uint64_t> shapesOf(const BuildOptions& options) {
 
 TEST(TreeOptions, WithoutAnyAreThoseOfTheLibrary) {
   EXPECT_EQ(membersOf(parsedTreeOptions({})), membersOf(BuildOptions{}));
-  EXPECT_EQ(membersOf(parsedTreeOptions({"--preset", "textbook"})),
-            membersOf(BuildOptions::textbook()));
+  const auto ofPreset = [](const char* name) {
+    return membersOf(parsedTreeOptions({"--preset", name}));
+  };
+  EXPECT_EQ(ofPreset("fast"), membersOf(BuildOptions::fast()));
+  EXPECT_EQ(ofPreset("balanced"), membersOf(BuildOptions{}));
+  EXPECT_EQ(ofPreset("high"), membersOf(BuildOptions::high()));
+  EXPECT_EQ(ofPreset("textbook"), membersOf(BuildOptions::textbook()));
 }
 
 const std::vector<std::vector<std::string>> kTreeFlags = {
-    {"--leaf-size", "20"},
-    {"--depth-limit", "3"},
-    {"--traversal-cost", "10"},
-    {"--intersection-cost", "9"},
-    {"--face-cost", "9"},
-    {"--empty-bonus", "0.9"},
-    {"--stops-by-cost", "off"},
-    {"--allows-empty-cells", "off"},
-    {"--clips-references", "off"},
-    {"--planar-rule", "normal-sign"},
-    {"--references-per-object", "1"},
+    {"--leaf-size", "20"},         {"--depth-limit", "3"},
+    {"--traversal-cost", "10"},    {"--intersection-cost", "9"},
+    {"--face-cost", "9"},          {"--empty-bonus", "0.9"},
+    {"--stops-by-cost", "off"},    {"--allows-empty-cells", "off"},
+    {"--clips-references", "off"}, {"--planar-rule", "normal-sign"},
+    {"--exact-planes", "off"},     {"--references-per-object", "1"},
 };
 
 TEST(TreeOptions, EachChangesOneMemberAndTheTree) {
@@ -187,17 +189,53 @@ TEST(TreeOptions, ChangeAPresetWhereverItStands) {
   EXPECT_EQ(membersOf(after), membersOf(expected));
 }
 
-TEST(TreeOptions, AreDescribedWithTheValuesOfThePresets) {
+TEST(TreeOptions, AreDescribedWithTheDefaultAndThePresetsThatDiffer) {
   CLI::App app;
   tool::TreeOptions options;
   tool::addTreeOptions(app, options);
   for (const std::vector<std::string>& flag : kTreeFlags)
     EXPECT_NE(app.get_option_no_throw(flag.front()), nullptr) << flag.front();
-  const std::string presets = "(default " + std::to_string(BuildOptions{}.leafSize) +
-                              ", textbook " + std::to_string(BuildOptions::textbook().leafSize) +
-                              ")";
-  const std::string description = app.get_option("--leaf-size")->get_description();
-  EXPECT_TRUE(description.ends_with(presets)) << description;
+  const auto expectEnd = [&app](const char* name, const std::string& presets) {
+    const std::string description = app.get_option(name)->get_description();
+    EXPECT_TRUE(description.ends_with(" " + presets)) << description;
+  };
+  expectEnd("--leaf-size", "(default " + std::to_string(BuildOptions{}.leafSize) + ", textbook " +
+                               std::to_string(BuildOptions::textbook().leafSize) + ")");
+  expectEnd("--exact-planes", "(default on, fast off)");
+  expectEnd("--intersection-cost", "(default 1)");
+}
+
+/// What --memory-limit makes of a text.
+std::uint64_t parsedMemoryLimit(const std::string& text) {
+  CLI::App app;
+  tool::RunOptions options;
+  tool::addRunOptions(app, options);
+  app.parse(std::vector<std::string>{text, "--memory-limit"});
+  return tool::buildControl(options).memoryLimit;
+}
+
+TEST(MemoryLimit, IsANumberOfBytesOrOfLargerUnits) {
+  EXPECT_EQ(tool::buildControl({}).memoryLimit, 0u);
+  EXPECT_EQ(parsedMemoryLimit("0"), 0u);
+  EXPECT_EQ(parsedMemoryLimit("123456789012"), 123'456'789'012u);
+  EXPECT_EQ(parsedMemoryLimit("7B"), 7u);
+  for (const char* text : {"3k", "3K", "3kB"})
+    EXPECT_EQ(parsedMemoryLimit(text), 3'000u) << text;
+  EXPECT_EQ(parsedMemoryLimit("500M"), 500'000'000u);
+  EXPECT_EQ(parsedMemoryLimit("500MB"), 500'000'000u);
+  EXPECT_EQ(parsedMemoryLimit("2G"), 2'000'000'000u);
+  EXPECT_EQ(parsedMemoryLimit("2T"), 2'000'000'000'000u);
+  EXPECT_EQ(parsedMemoryLimit("1KiB"), 1024u);
+  EXPECT_EQ(parsedMemoryLimit("3MiB"), std::uint64_t{3} << 20u);
+  EXPECT_EQ(parsedMemoryLimit("3Gi"), std::uint64_t{3} << 30u);
+  EXPECT_EQ(parsedMemoryLimit("1TiB"), std::uint64_t{1} << 40u);
+  EXPECT_EQ(parsedMemoryLimit("18446744073709551615"), ~std::uint64_t{0});
+}
+
+TEST(MemoryLimit, IsNothingElse) {
+  for (const char* text : {"", "M", "-1", "1.5G", "5 M", "5m", "5MM", "5MBB", "5iB", "0x10", "1e9",
+                           "18446744073709551616", "18446744073710M", "16777216TiB"})
+    EXPECT_THROW(static_cast<void>(parsedMemoryLimit(text)), tool::UsageError) << text;
 }
 
 class EveryChoice : public ToolTest {};

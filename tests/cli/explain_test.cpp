@@ -210,7 +210,7 @@ TEST_F(Explain, PagesAreAtMostAHundredColumnsWide) {
   for (const Ray<double>& ray : randomRays<double>(8, 40)) {
     if (!isFinite(ray.origin) || ray.direction == Vec3d{})
       continue;
-    for (const char* preset : {"default", "textbook"}) {
+    for (const char* preset : {"fast", "balanced", "high", "textbook"}) {
       const ToolResult result = explain("soup.obj", rayText(ray), {"--preset", preset, "--double"});
       ASSERT_EQ(result.status, 0) << result.err;
       std::istringstream lines(result.out);

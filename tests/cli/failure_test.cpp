@@ -51,6 +51,29 @@ TEST_F(Failure, ModelsOfWhichNothingCanBeHitSayWhy) {
   expectFailure(runSmall({"flat.obj"}), "has 2 triangles, none of which can be hit");
 }
 
+TEST_F(Failure, TreesThatNeedMoreThanTheMemoryLimitAreNotBuilt) {
+  writeModel("model.obj");
+  writeFile("rays.csv", "0.2,0.2,1,0,0,-1\n");
+  const std::vector<std::string> before = filesInFolder();
+  const std::string problem = "planetree: the build needs more than ";
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"render"},
+        {"render", "model.obj"},
+        {"info", "model.obj"},
+        {"trace", "model.obj", "rays.csv"},
+        {"trace", "model.obj", "rays.csv", "--double"},
+        {"explain", "model.obj", "--ray", "0,0,1,0,0,-1"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.insert(arguments.end(), {"--memory-limit", "100"});
+    expectFailure(run(arguments), problem);
+    arguments.back() = "100MB";
+    if (command.front() != "render") {
+      EXPECT_EQ(run(arguments).status, 0) << command.front();
+    }
+  }
+  EXPECT_EQ(filesInFolder(), before);
+}
+
 TEST_F(Failure, SkippedTrianglesAreCountedAndTheFirstOnesNamed) {
   writeFile("half.obj",
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv nan 0 0\n"

@@ -6,8 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <ostream>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace planetree::test {
 namespace {
@@ -54,12 +58,16 @@ TEST_F(Info, PrintsAPageOnStandardOutputAndNothingElse) {
 }
 
 TEST_F(Info, JsonHasTheNumbersOfTheLibrary) {
-  for (const bool isTextbook : {false, true}) {
-    const ToolResult result = info({"--json", "--preset", isTextbook ? "textbook" : "default"});
+  const std::vector<std::pair<const char*, BuildOptions>> presets = {
+      {"fast", BuildOptions::fast()},
+      {"balanced", BuildOptions::balanced()},
+      {"high", BuildOptions::high()},
+      {"textbook", BuildOptions::textbook()}};
+  for (const auto& [name, preset] : presets) {
+    const ToolResult result = info({"--json", "--preset", name});
     ASSERT_EQ(result.status, 0) << result.err;
     const json document = json::parse(result.out);
-    const auto tree =
-        buildTree(mesh_.view(), isTextbook ? BuildOptions::textbook() : BuildOptions{});
+    const auto tree = buildTree(mesh_.view(), preset);
     const TreeStatistics expected = tree.statistics();
     EXPECT_EQ(document["model"], "soup.obj");
     EXPECT_EQ(document["mesh"]["triangle_count"], 500);
@@ -68,6 +76,8 @@ TEST_F(Info, JsonHasTheNumbersOfTheLibrary) {
     EXPECT_EQ(document["bounds"]["upper"][2].get<float>(), tree.bounds().upper.z);
     EXPECT_TRUE(document["read_seconds"].is_number());
     EXPECT_TRUE(document["build"]["split_seconds"].is_number());
+    EXPECT_EQ(document["build"]["peak_bytes"], tree.report().peakBytes);
+    EXPECT_EQ(document["build"]["options"]["exact_planes"], preset.exactPlanes);
 
     const json& numbers = document["tree"];
     EXPECT_EQ(numbers["leaf_node_count"], expected.leafNodeCount);
@@ -90,6 +100,14 @@ TEST_F(Info, JsonHasTheNumbersOfTheLibrary) {
       EXPECT_EQ(numbers["leaf_sizes"][i]["leaf_count"], expected.leafSizes[i].leafCount);
     }
   }
+}
+
+TEST_F(Info, TellsHowMuchMemoryTheBuildTook) {
+  const json document = json::parse(info({"--json", "--threads", "1"}).out);
+  const auto peak = document["build"]["peak_bytes"].get<std::uint64_t>();
+  EXPECT_GT(peak, document["tree"]["bytes"].get<std::uint64_t>());
+  const std::string page = info({}).out;
+  EXPECT_NE(page.find("\n    to build  "), std::string::npos) << page;
 }
 
 TEST_F(Info, IsTheSameForAnyNumberOfThreads) {

@@ -54,10 +54,13 @@ INSTANTIATE_TEST_SUITE_P(Signals, BySignal, testing::Values(SIGINT, SIGTERM, SIG
 
 TEST_F(Interrupted, WhileBuildingItEndsAsQuickly) {
   writeFile("heap.obj", objOf(randomMesh<float>(51, 20'000)));
-  // Seconds of work: no bound on references, and no leaf before it must be.
+  // Triangles that cross each other are divided without end, unless cost or number end it.
   ToolProcess tool(folder(), ToolStart{.arguments = {"render", "heap.obj", "--leaf-size", "0",
-                                                     "--references-per-object", "0"}});
+                                                     "--stops-by-cost", "off", "--depth-limit",
+                                                     "64", "--references-per-object", "0"}});
   waitFor(tool, "heap.obj: ");
+  std::this_thread::sleep_for(300ms);
+  EXPECT_FALSE(tool.hasEnded());
   const ToolResult result = end(tool, SIGINT);
   EXPECT_EQ(result.signal, SIGINT);
   EXPECT_TRUE(result.err.ends_with("\nplanetree: interrupted\n")) << result.err;

@@ -1,12 +1,15 @@
 #include "progress_line.hpp"
 
 #include "terminal.hpp"
-#include "tool_run.hpp"
+#include "trace_test.hpp"
 
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <functional>
+#include <string>
 #include <thread>
+#include <vector>
 
 /// What the tool shows of its progress, and where.
 namespace planetree::test {
@@ -27,6 +30,17 @@ TEST(ProgressText, TellsTheTimeThatIsLeft) {
 
 TEST(ProgressText, TellsTheTimeTakenWhereTheEndIsNotKnown) {
   EXPECT_EQ(tool::progressText("building the tree", 0.0, 12.9), "building the tree, 12 s");
+}
+
+/// An OBJ file.
+std::string soupOfSmallTriangles(std::uint32_t count) {
+  TriangleMesh<float> mesh = randomMesh<float>(54, count);
+  for (const FaceIndices& face : mesh.faces) {
+    const Vec3f& first = mesh.positions[face[0]];
+    for (const std::uint32_t corner : {face[1], face[2]})
+      mesh.positions[corner] = first + (mesh.positions[corner] - first) * 0.01f;
+  }
+  return objOf(mesh);
 }
 
 class Progress : public ToolTest {
@@ -57,6 +71,30 @@ TEST_F(Progress, OfALongStepIsShownOnATerminalAndWipedOff) {
   });
   const std::size_t line = said.find("rendering [");
   ASSERT_NE(line, std::string::npos) << said;
+  EXPECT_TRUE(said.ends_with("\r\x1b[Kplanetree: interrupted\r\n")) << said;
+}
+
+TEST_F(Progress, OfABuildIsShownByASubcommandThatSaysNothingElse) {
+  // A build of many seconds on any machine, of which many parts are done one after the other.
+  writeFile("soup.obj", soupOfSmallTriangles(200'000));
+  const Terminal terminal;
+  ToolProcess tool(folder(),
+                   {.arguments = {"info", "soup.obj", "--threads", "1", "--stops-by-cost", "off",
+                                  "--leaf-size", "0", "--references-per-object", "8"},
+                    .standardOutput = (streamFolder() / "page").string(),
+                    .standardError = terminal.name()});
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds{60};
+  std::string said;
+  const auto showsBar = [&said] {
+    const std::size_t line = said.rfind("building the tree [");
+    return line != std::string::npos && said.find(" left", line) != std::string::npos;
+  };
+  while (!showsBar() && !tool.hasEnded() && std::chrono::steady_clock::now() < deadline)
+    said += terminal.readSome();
+  EXPECT_TRUE(showsBar()) << said;
+  tool.signal(SIGINT);
+  EXPECT_EQ(tool.wait().signal, SIGINT) << said;
+  said += terminal.readSome();
   EXPECT_TRUE(said.ends_with("\r\x1b[Kplanetree: interrupted\r\n")) << said;
 }
 

@@ -83,9 +83,11 @@ TEST_F(Reference, BashCompletesCommandsAndOptions) {
 }
 
 TEST_F(Reference, BashCompletesTheWordsThatAnOptionTakes) {
-  EXPECT_EQ(bashOffers({"planetree", "trace", "--preset", ""}), (Offers{"default", "textbook"}));
+  EXPECT_EQ(bashOffers({"planetree", "trace", "--preset", ""}),
+            (Offers{"balanced", "fast", "high", "textbook"}));
   EXPECT_EQ(bashOffers({"planetree", "trace", "--preset", "=", "te"}), Offers{"textbook"});
-  EXPECT_EQ(bashOffers({"planetree", "trace", "--preset", "="}), (Offers{"default", "textbook"}));
+  EXPECT_EQ(bashOffers({"planetree", "trace", "--preset", "="}),
+            (Offers{"balanced", "fast", "high", "textbook"}));
   EXPECT_EQ(bashOffers({"planetree", "trace", "--leaf-size", ""}), Offers{});
 }
 

@@ -127,7 +127,7 @@ TEST_F(Render, TheTreeDoesNotChangeThePicture) {
     return readPng(runSmall(arguments).out)->image.pixels;
   };
   const auto usual = pixels({"-o", "-"});
-  EXPECT_EQ(pixels({"--preset", "default", "-o", "-"}), usual);
+  EXPECT_EQ(pixels({"--preset", "balanced", "-o", "-"}), usual);
   EXPECT_EQ(pixels({"--leaf-size", "20", "-o", "-"}), usual);
   EXPECT_EQ(pixels({"--depth-limit", "12", "-o", "-"}), usual);
   // The textbook's rules may give up early; a small model keeps that affordable.

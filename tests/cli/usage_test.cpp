@@ -125,6 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{{"render", "--seed", "-1"}, "--seed -1"},
                     Refused{{"render", "--threads", "-1"}, "--threads -1"},
                     Refused{{"render", "--threads", "1000000"}, "--threads 1000000"},
+                    Refused{{"render", "--memory-limit", "-1"}, "--memory-limit -1"},
+                    Refused{{"render", "--memory-limit", "much"}, "such as 500M or 2GiB"},
                     Refused{{"render", "--leaf-size", "-1"}, "--leaf-size -1"},
                     Refused{{"render", "--traversal-cost", "-1"}, "--traversal-cost -1"},
                     Refused{{"render", "--traversal-cost", "inf"}, "--traversal-cost inf"},
@@ -157,6 +159,9 @@ INSTANTIATE_TEST_SUITE_P(Choices, WrongUsage,
                          testing::Values(Refused{{"render", "--mode", "photo"}, "--mode photo"},
                                          Refused{{"render", "--mode", "AO"}, "--mode AO"},
                                          Refused{{"render", "--preset", "best"}, "--preset best"},
+                                         Refused{{"render", "--preset", "best"},
+                                                 "fast, balanced, high, textbook"},
+                                         Refused{{"render", "--exact-planes", "1"}, "on, off"},
                                          Refused{{"render", "model.obj", "--up", "x"}, "--up x"},
                                          Refused{{"render", "--up", "z"}, "--up z"}));
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -211,6 +212,22 @@ TEST(Errors, SayWhereAndWhatToTry) {
   const Error plain(ErrorCode::InvalidOption, "leafSize is odd", "");
   EXPECT_STREQ(plain.what(), "leafSize is odd");
   EXPECT_EQ(plain.face(), Error::kNone);
+}
+
+TEST(Errors, HaveACodeWithANameOfItsOwn) {
+  const std::vector<std::pair<ErrorCode, std::string>> names = {
+      {ErrorCode::FileNotReadable, "file-not-readable"},
+      {ErrorCode::FileNotWritable, "file-not-writable"},
+      {ErrorCode::UnknownFormat, "unknown-format"},
+      {ErrorCode::MalformedFile, "malformed-file"},
+      {ErrorCode::InvalidGeometry, "invalid-geometry"},
+      {ErrorCode::InvalidOption, "invalid-option"},
+      {ErrorCode::CapacityExceeded, "capacity-exceeded"},
+      {ErrorCode::MemoryLimitExceeded, "memory-limit-exceeded"},
+      {ErrorCode::Cancelled, "cancelled"},
+  };
+  for (const auto& [code, name] : names)
+    EXPECT_EQ(errorCodeName(code), name);
 }
 
 }  // namespace

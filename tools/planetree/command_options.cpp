@@ -36,16 +36,32 @@ std::string text(std::optional<std::uint32_t> depthLimit) {
   return depthLimit ? text(*depthLimit) : "by the number of objects";
 }
 
-/// Adds the option for one member of `BuildOptions`, which `member` picks. The values of the
-/// presets that the help shows are those of the library.
+/// "(default 4, textbook 10)": a member in the default preset, and in those where it differs.
+template <class Member>
+std::string presetText(const Member& member) {
+  BuildOptions defaults;
+  const std::string usual = text(member(defaults));
+  std::string shown = "default " + usual;
+  for (auto [name, preset] : presets()) {
+    if (const std::string value = text(member(preset)); value != usual)
+      shown += fmt::format(", {} {}", name, value);
+  }
+  return fmt::format("({})", shown);
+}
+
+/// "fast|balanced|..."
+std::string presetNames() {
+  std::string names;
+  for (const auto& [name, preset] : presets())
+    names += fmt::format("{}{}", names.empty() ? "" : "|", name);
+  return names;
+}
+
+/// Adds the option for one member of `BuildOptions`, which `member` picks.
 template <class Member, class Parse>
 CLI::Option* addTreeOption(CLI::App& app, TreeOptions& options, const std::string& name,
                            const Member& member, const Parse& parse,
                            const std::string& description) {
-  BuildOptions defaults;
-  BuildOptions textbook = BuildOptions::textbook();
-  const std::string presets =
-      fmt::format(" (default {}, textbook {})", text(member(defaults)), text(member(textbook)));
   return app
       .add_option_function<std::string>(
           name,
@@ -54,7 +70,7 @@ CLI::Option* addTreeOption(CLI::App& app, TreeOptions& options, const std::strin
             options.changes.push_back(
                 [member, value](BuildOptions& build) { member(build) = value; });
           },
-          description + presets)
+          fmt::format("{} {}", description, presetText(member)))
       ->group("Tree");
 }
 
@@ -120,6 +136,11 @@ void addSplitOptions(CLI::App& app, TreeOptions& options) {
       parsePlanarRule, "Which side of a split gets the objects that lie in its plane")
       ->type_name("cheaper-side|normal-sign");
   addTreeOption(
+      app, options, "--exact-planes",
+      [](BuildOptions & build) -> auto& { return build.exactPlanes; }, parseSwitch,
+      "Find the cheapest of all planes, not only one near the cheapest edge of some bins")
+      ->type_name("on|off");
+  addTreeOption(
       app, options, "--references-per-object",
       [](BuildOptions & build) -> auto& { return build.referencesPerObject; },
       wholeNumberFrom(0, kLargestCount),
@@ -131,10 +152,10 @@ void addSplitOptions(CLI::App& app, TreeOptions& options) {
 
 void addTreeOptions(CLI::App& app, TreeOptions& options) {
   addValue(app, "--preset", options.preset, parsePreset,
-           "Build rules: default, or textbook for the rules as taught; the options below change "
-           "single rules of it")
-      ->type_name("default|textbook")
-      ->default_str("default")
+           "Build rules: fast builds in a fraction of the time, high takes longer for faster rays, "
+           "textbook follows the rules as taught; the options below change single rules")
+      ->type_name(presetNames())
+      ->default_str("balanced")
       ->group("Tree");
   addLeafOptions(app, options);
   addCostOptions(app, options);
@@ -192,6 +213,12 @@ void addRunOptions(CLI::App& app, RunOptions& options) {
                  "number")
       ->default_str(fmt::format("{}", options.threadCount))
       ->group("Run");
+  addValue(app, "--memory-limit", options.memoryLimit, parseByteCount,
+           "The most memory that building the tree may take besides the model, such as 500M or "
+           "2GiB; 0 is what the machine has")
+      ->type_name("SIZE")
+      ->default_str(fmt::format("{}", options.memoryLimit))
+      ->group("Run");
   app.add_flag("-q,--quiet", options.isQuiet, "Say nothing but errors")->group("Run");
 }
 
@@ -208,6 +235,12 @@ BuildOptions buildOptions(const TreeOptions& tree, const RunOptions& run) {
     change(options);
   options.threadCount = run.threadCount;
   return options;
+}
+
+BuildControl buildControl(const RunOptions& run) {
+  BuildControl control;
+  control.memoryLimit = run.memoryLimit;
+  return control;
 }
 
 void checkRayLimits(const RayLimits& limits) {

@@ -2,6 +2,7 @@
 
 #include "option_values.hpp"
 
+#include <planetree/split/build_control.hpp>
 #include <planetree/split/build_options.hpp>
 #include <planetree/traversal/query_options.hpp>
 
@@ -36,6 +37,7 @@ struct RayLimits {
 /// How the tool is to run.
 struct RunOptions {
   std::uint32_t threadCount = 0;
+  std::uint64_t memoryLimit = 0;  ///< of a build, in bytes; 0 is none
   bool isQuiet = false;
   bool isJson = false;
 };
@@ -47,13 +49,16 @@ void addQueryOptions(CLI::App& app, QueryOptions& options);
 void addRayLimits(CLI::App& app, RayLimits& limits);
 /// --any and --double.
 void addQueryFlags(CLI::App& app, bool& isAnyHit, bool& isDouble);
-/// --threads and --quiet.
+/// --threads, --memory-limit and --quiet.
 void addRunOptions(CLI::App& app, RunOptions& options);
 /// --json, for subcommands that print with `printJson` what they otherwise say.
 void addJsonOption(CLI::App& app, RunOptions& options);
 
 /// The preset with everything that was asked for besides.
 [[nodiscard]] BuildOptions buildOptions(const TreeOptions& tree, const RunOptions& run);
+
+/// How the run holds its builds.
+[[nodiscard]] BuildControl buildControl(const RunOptions& run);
 
 /// Throws `UsageError` if nothing lies between the limits.
 void checkRayLimits(const RayLimits& limits);

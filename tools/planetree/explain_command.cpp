@@ -41,7 +41,8 @@ int explainIn(const ExplainCommand& command) {
   const Talk talk(command.run.isQuiet);
   Model<T> model = readModel<T>(command.model, talk);
   const std::vector<std::uint32_t> sourceFaces = model.mesh.sourceFaces;
-  const auto tree = buildModelTree(std::move(model), buildOptions(command.tree, command.run), talk);
+  const auto tree = buildModelTree(std::move(model), buildOptions(command.tree, command.run),
+                                   buildControl(command.run), talk);
   const Walk<T> walk = command.isAnyHit ? tree.explainOcclusion(ray, command.query)
                                         : tree.explainIntersection(ray, command.query);
   const WalkContext context{

@@ -9,7 +9,6 @@
 #include "json_text.hpp"
 #include "model.hpp"
 #include "output_file.hpp"
-#include "progress_line.hpp"
 #include "talk.hpp"
 #include "usage_error.hpp"
 
@@ -85,12 +84,10 @@ struct Accounts {
 
 Accounts takeStock(const InfoCommand& command, const BuildOptions& options) {
   // What would be said here stands on the page.
-  const Talk silence(true);
-  const ProgressLine progress("building the tree of " + command.model.filename().string(),
-                              !command.run.isQuiet);
+  const Talk talk = Talk::ofProgress(!command.run.isQuiet);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  Model<float> model = readModel<float>(command.model, silence);
+  Model<float> model = readModel<float>(command.model, talk);
   const double readSeconds = std::chrono::duration<double>(Clock::now() - start).count();
 
   const MeshSize size{.faceCount = model.mesh.faces.size(),
@@ -98,7 +95,7 @@ Accounts takeStock(const InfoCommand& command, const BuildOptions& options) {
   const std::vector<std::uint32_t> sourceFaces = model.mesh.sourceFaces;
   const auto report = model.report;
   Json mesh = meshJson(size, report);
-  const auto tree = buildModelTree(std::move(model), options, silence);
+  const auto tree = buildModelTree(std::move(model), options, buildControl(command.run), talk);
   return {.tree = {.model = command.model.string(),
                    .format = report.formatName,
                    .vertexCount = size.vertexCount,

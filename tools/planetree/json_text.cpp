@@ -25,6 +25,7 @@ Json optionsJson(const BuildOptions& options) {
       {"allows_empty_cells", options.allowsEmptyCells},
       {"clips_references", options.clipsReferences},
       {"planar_rule", planarRuleName(options.planarRule)},
+      {"exact_planes", options.exactPlanes},
       {"references_per_object", options.referencesPerObject},
       {"threads", options.threadCount},
   };
@@ -52,6 +53,7 @@ Json buildJson(const BuildOptions& options, const BuildReport& report) {
   for (const BuildPhase& phase : report.phases)
     json[fmt::format("{}_seconds", phase.name)] = phase.seconds;
   json["total_seconds"] = report.totalSeconds;
+  json["peak_bytes"] = report.peakBytes;
   json["options"] = optionsJson(options);
   return json;
 }

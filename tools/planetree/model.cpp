@@ -22,16 +22,17 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Makes the result while a line of progress tells what takes so long.
-template <class Make>
-auto withProgress(std::string step, const Talk& talk, const Make& make) {
-  const ProgressLine progress(std::move(step), !talk.isQuiet());
-  return make();
-}
-
 /// Where the bytes of a model come from.
 std::filesystem::path sourceOf(const std::filesystem::path& path) {
   return path == kStandardInput ? std::filesystem::path("/dev/stdin") : path;
+}
+
+template <std::floating_point T>
+KdTree<Face<T>> buildWithProgress(TriangleMesh<T> mesh, const BuildOptions& options,
+                                  BuildControl control, const Talk& talk) {
+  ProgressLine line("building the tree", talk.showsProgress());
+  control.onProgress = [&line](const BuildProgress& progress) { line.update(progress.done); };
+  return buildTree(std::move(mesh), options, control);
 }
 
 std::string displayName(const std::filesystem::path& path) {
@@ -45,9 +46,10 @@ Model<T> readModel(const std::filesystem::path& path, const Talk& talk) {
   const Clock::time_point start = Clock::now();
   Model<T> model{.name = displayName(path), .mesh = {}, .report = {}};
   const std::string fileName = path == kStandardInput ? model.name : path.filename().string();
-  model.mesh = withProgress("reading " + fileName, talk, [&] {
-    return importing::importMesh<T>(sourceOf(path), &model.report);
-  });
+  {
+    const ProgressLine progress("reading " + fileName, talk.showsProgress());
+    model.mesh = importing::importMesh<T>(sourceOf(path), &model.report);
+  }
   const MeshSize size{.faceCount = model.mesh.faces.size(),
                       .vertexCount = model.mesh.positions.size()};
   sayMesh(talk, fileName, size, model.report, secondsSince(start));
@@ -60,10 +62,10 @@ Model<T> readModel(const std::filesystem::path& path, const Talk& talk) {
 }
 
 template <std::floating_point T>
-KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options, const Talk& talk) {
+KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options,
+                               const BuildControl& control, const Talk& talk) {
   const std::vector<std::uint32_t> sourceFaces = model.mesh.sourceFaces;
-  auto tree = withProgress("building the tree", talk,
-                           [&] { return buildTree(std::move(model.mesh), options); });
+  auto tree = buildWithProgress(std::move(model.mesh), options, control, talk);
   const BuildReport& report = tree.report();
   saySkipped(talk, report, sourceFaces);
   if (report.skippedCount == report.objectCount) {
@@ -80,8 +82,9 @@ KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options, cons
 
 template Model<float> readModel<float>(const std::filesystem::path&, const Talk&);
 template Model<double> readModel<double>(const std::filesystem::path&, const Talk&);
-template KdTree<Face<float>> buildModelTree<float>(Model<float>, const BuildOptions&, const Talk&);
+template KdTree<Face<float>> buildModelTree<float>(Model<float>, const BuildOptions&,
+                                                   const BuildControl&, const Talk&);
 template KdTree<Face<double>> buildModelTree<double>(Model<double>, const BuildOptions&,
-                                                     const Talk&);
+                                                     const BuildControl&, const Talk&);
 
 }  // namespace planetree::tool

@@ -25,17 +25,17 @@ struct Model {
 template <std::floating_point T>
 [[nodiscard]] Model<T> readModel(const std::filesystem::path& path, const Talk& talk);
 
-/// Builds the tree, which takes the mesh, and says how that went. Throws `Error` if none of the
-/// triangles can be hit.
+/// Builds the tree, which takes the mesh, and says how that went; `control` is told nothing, a line
+/// of progress is. Throws `Error` if none of the triangles can be hit, and as `buildTree` does.
 template <std::floating_point T>
 [[nodiscard]] KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options,
-                                             const Talk& talk);
+                                             const BuildControl& control, const Talk& talk);
 
 extern template Model<float> readModel<float>(const std::filesystem::path&, const Talk&);
 extern template Model<double> readModel<double>(const std::filesystem::path&, const Talk&);
 extern template KdTree<Face<float>> buildModelTree<float>(Model<float>, const BuildOptions&,
-                                                          const Talk&);
+                                                          const BuildControl&, const Talk&);
 extern template KdTree<Face<double>> buildModelTree<double>(Model<double>, const BuildOptions&,
-                                                            const Talk&);
+                                                            const BuildControl&, const Talk&);
 
 }  // namespace planetree::tool

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -68,6 +69,23 @@ constexpr Choices<PlanarRule, 2> kPlanarRules = {
     {{"cheaper-side", PlanarRule::CheaperSide}, {"normal-sign", PlanarRule::NormalSign}}};
 constexpr Choices<bool, 2> kSwitches = {{{"on", true}, {"off", false}}};
 
+constexpr Choices<BuildOptions, 4> kPresets = {{{"fast", BuildOptions::fast()},
+                                                {"balanced", BuildOptions::balanced()},
+                                                {"high", BuildOptions::high()},
+                                                {"textbook", BuildOptions::textbook()}}};
+
+/// What stands behind a number of bytes, but for a B at the end.
+constexpr Choices<std::uint64_t, 10> kByteUnits = {{{"", 1},
+                                                    {"k", 1'000},
+                                                    {"K", 1'000},
+                                                    {"M", 1'000'000},
+                                                    {"G", 1'000'000'000},
+                                                    {"T", 1'000'000'000'000},
+                                                    {"Ki", std::uint64_t{1} << 10u},
+                                                    {"Mi", std::uint64_t{1} << 20u},
+                                                    {"Gi", std::uint64_t{1} << 30u},
+                                                    {"Ti", std::uint64_t{1} << 40u}}};
+
 /// The value of a choice by its name.
 template <class Value, std::size_t N>
 Value choose(const OptionText& option, const Choices<Value, N>& choices) {
@@ -92,6 +110,10 @@ std::string_view nameOf(Value value, const Choices<Value, N>& choices) noexcept 
 
 }  // namespace
 
+std::span<const Preset> presets() noexcept {
+  return kPresets;
+}
+
 std::uint64_t parseWholeNumber(const OptionText& option, std::uint64_t lowest,
                                std::uint64_t highest) {
   const auto number = numberFrom<std::uint64_t>(option.text);
@@ -99,6 +121,20 @@ std::uint64_t parseWholeNumber(const OptionText& option, std::uint64_t lowest,
     return *number;
   refuse(option, "not a whole number in range",
          fmt::format("Give a number from {} to {}.", lowest, highest));
+}
+
+std::uint64_t parseByteCount(const OptionText& option) {
+  const std::size_t digitCount =
+      std::min(option.text.find_first_not_of("0123456789"), option.text.size());
+  const auto number = numberFrom<std::uint64_t>(option.text.substr(0, digitCount));
+  std::string_view unit = option.text.substr(digitCount);
+  if (unit.ends_with('B'))
+    unit.remove_suffix(1);
+  for (const auto& [name, factor] : kByteUnits) {
+    if (number && name == unit && *number <= std::numeric_limits<std::uint64_t>::max() / factor)
+      return *number * factor;
+  }
+  refuse(option, "not a number of bytes", "Give a whole number, such as 500M or 2GiB.");
 }
 
 double parseCost(const OptionText& option) {
@@ -204,8 +240,7 @@ render::UpAxis parseUpAxis(const OptionText& option) {
 }
 
 BuildOptions parsePreset(const OptionText& option) {
-  return choose<BuildOptions, 2>(
-      option, {{{"default", BuildOptions{}}, {"textbook", BuildOptions::textbook()}}});
+  return choose(option, kPresets);
 }
 
 PlanarRule parsePlanarRule(const OptionText& option) {

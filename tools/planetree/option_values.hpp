@@ -12,8 +12,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 /// The values of options, from text. Each function throws `UsageError` that names the option and
 /// says what it takes.
@@ -35,12 +37,21 @@ struct CameraOption {
 /// A shell that completes command lines.
 enum class Shell : std::uint8_t { Bash, Zsh, Fish };
 
+/// Build rules under the name that `--preset` takes.
+using Preset = std::pair<std::string_view, BuildOptions>;
+
+/// All presets of the library, from the quickest build to the slowest, and the textbook's.
+[[nodiscard]] std::span<const Preset> presets() noexcept;
+
 /// The most pixels of a picture: enough for the largest screens, and memory for them is at hand.
 inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 
 /// A whole number from `lowest` to `highest`.
 [[nodiscard]] std::uint64_t parseWholeNumber(const OptionText& option, std::uint64_t lowest,
                                              std::uint64_t highest);
+
+/// A number of bytes: "500000000", "500M" and "500MB" are the same, "477MiB" is about that.
+[[nodiscard]] std::uint64_t parseByteCount(const OptionText& option);
 
 /// A cost that `CostModel` takes: not negative, and finite.
 [[nodiscard]] double parseCost(const OptionText& option);

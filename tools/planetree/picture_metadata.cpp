@@ -43,6 +43,7 @@ class TreeArguments {
     addSwitch("--allows-empty-cells", options.allowsEmptyCells, usual.allowsEmptyCells);
     addSwitch("--clips-references", options.clipsReferences, usual.clipsReferences);
     add("--planar-rule", planarRuleName(options.planarRule), planarRuleName(usual.planarRule));
+    addSwitch("--exact-planes", options.exactPlanes, usual.exactPlanes);
     add("--references-per-object", options.referencesPerObject, usual.referencesPerObject);
     return text_;
   }

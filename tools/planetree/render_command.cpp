@@ -218,7 +218,7 @@ render::RenderSettings renderSettings(const RenderCommand& command, const Subjec
 
 render::Rendering renderWithProgress(const render::Tracer& tracer, render::RenderSettings settings,
                                      const Talk& talk) {
-  ProgressLine progress("rendering", !talk.isQuiet());
+  ProgressLine progress("rendering", talk.showsProgress());
   settings.keepsGoing = [&progress](double done) {
     progress.update(done);
     return true;
@@ -256,9 +256,10 @@ int runRenderCommand(const RenderCommand& command) {
   // Talk beside the summary would keep programs from reading it.
   const Talk talk(command.run.isQuiet || isJsonOnStandardError(command));
   const BuildOptions build = buildOptions(command.tree, command.run);
-  const Subject subject = command.model
-                              ? readModelSubject(*command.model, build, framing(command), talk)
-                              : makeStillLifeSubject(build, framing(command), talk);
+  const BuildControl control = buildControl(command.run);
+  const Subject subject =
+      command.model ? readModelSubject(*command.model, build, control, framing(command), talk)
+                    : makeStillLifeSubject(build, control, framing(command), talk);
   checkCellDepth(command, subject);
   return renderSubject(command, subject, talk);
 }

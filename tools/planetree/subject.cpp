@@ -23,7 +23,8 @@ void takeTree(Subject& subject, KdTree<O> tree) {
 }  // namespace
 
 Subject readModelSubject(const std::filesystem::path& path, const BuildOptions& options,
-                         const render::Framing& framing, const Talk& talk) {
+                         const BuildControl& control, const render::Framing& framing,
+                         const Talk& talk) {
   Model<float> model = readModel<float>(path, talk);
   Subject subject;
   subject.name = path.filename().string();
@@ -33,19 +34,19 @@ Subject readModelSubject(const std::filesystem::path& path, const BuildOptions& 
   subject.mesh =
       meshJson({.faceCount = model.mesh.faces.size(), .vertexCount = model.mesh.positions.size()},
                model.report);
-  takeTree(subject, buildModelTree(std::move(model), options, talk));
+  takeTree(subject, buildModelTree(std::move(model), options, control, talk));
   return subject;
 }
 
-Subject makeStillLifeSubject(const BuildOptions& options, const render::Framing& framing,
-                             const Talk& talk) {
+Subject makeStillLifeSubject(const BuildOptions& options, const BuildControl& control,
+                             const render::Framing& framing, const Talk& talk) {
   render::StillLife stillLife = render::makeStillLife();
   talk.say("no model given: a still life of spheres, boxes, cones, cylinders, squares and a knot");
   Subject subject;
   subject.name = "still life";
   subject.camera = frameCamera(stillLife.outline, framing).value_or(render::Camera{});
   subject.albedos = std::move(stillLife.albedos);
-  takeTree(subject, buildTree(stillLife.scene, options));
+  takeTree(subject, buildTree(stillLife.scene, options, control));
   sayTree(talk, subject.report, subject.statistics, "object");
   return subject;
 }

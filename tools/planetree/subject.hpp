@@ -9,6 +9,7 @@
 
 #include <planetree/geometry/vec3.hpp>
 #include <planetree/node/tree_statistics.hpp>
+#include <planetree/split/build_control.hpp>
 #include <planetree/split/build_options.hpp>
 #include <planetree/split/build_report.hpp>
 
@@ -35,11 +36,11 @@ struct Subject {
 
 /// A model from a file, in a tree. Throws `Error` if it cannot be read or has nothing to show.
 [[nodiscard]] Subject readModelSubject(const std::filesystem::path& path,
-                                       const BuildOptions& options, const render::Framing& framing,
-                                       const Talk& talk);
+                                       const BuildOptions& options, const BuildControl& control,
+                                       const render::Framing& framing, const Talk& talk);
 
 /// The scene made in code, in a tree.
-[[nodiscard]] Subject makeStillLifeSubject(const BuildOptions& options,
+[[nodiscard]] Subject makeStillLifeSubject(const BuildOptions& options, const BuildControl& control,
                                            const render::Framing& framing, const Talk& talk);
 
 }  // namespace planetree::tool

@@ -20,9 +20,11 @@ void printToStandardError(std::string_view text) noexcept;
 
 class Talk {
  public:
-  explicit Talk(bool isQuiet) noexcept : isQuiet_(isQuiet) {}
+  explicit Talk(bool isQuiet) noexcept : Talk(isQuiet, !isQuiet) {}
+  /// For what is said elsewhere: no lines, but it may show how far it is.
+  [[nodiscard]] static Talk ofProgress(bool isShown) noexcept { return {true, isShown}; }
 
-  [[nodiscard]] bool isQuiet() const noexcept { return isQuiet_; }
+  [[nodiscard]] bool showsProgress() const noexcept { return showsProgress_; }
 
   /// One line, unless the tool is to be quiet.
   void say(std::string_view line) const {
@@ -31,7 +33,11 @@ class Talk {
   }
 
  private:
+  Talk(bool isQuiet, bool showsProgress) noexcept
+      : isQuiet_(isQuiet), showsProgress_(showsProgress) {}
+
   bool isQuiet_;
+  bool showsProgress_;
 };
 
 /// "69666" as "69,666".

@@ -226,14 +226,14 @@ int traceInto(TableFormat format, RayReader& rays, const TraceCommand& command, 
                       .vertexCount = model.mesh.positions.size()};
   Json mesh = meshJson(size, model.report);
   const BuildOptions build = buildOptions(command.tree, command.run);
-  const auto tree = buildModelTree(std::move(model), build, talk);
+  const auto tree = buildModelTree(std::move(model), build, buildControl(command.run), talk);
   OutputFile hits(command.hits);
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   TraceReport report;
   {
-    ProgressLine progress("tracing", !talk.isQuiet());
+    ProgressLine progress("tracing", talk.showsProgress());
     report = traceRays(tree, rays, hits,
                        {.query = queryOf(command),
                         .options = command.query,

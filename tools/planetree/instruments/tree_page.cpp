@@ -102,6 +102,9 @@ void addTree(Page& page, const TreeAccount& account) {
   page.row("memory", byteText(tree.bytes),
            fmt::format("{:.1f} bytes for each triangle, without the mesh",
                        account.perObject(tree.bytes)));
+  page.row("  to build", byteText(account.build.peakBytes),
+           fmt::format("{:.1f} bytes for each triangle, at the most",
+                       account.perObject(account.build.peakBytes)));
 }
 
 void addQueries(Page& page, const TreeAccount& account) {
