@@ -44,6 +44,12 @@ void NodeArray::beginRightChild(std::size_t split) {
                             static_cast<std::uint32_t>(nodes_.size() - split));
 }
 
+void NodeArray::removeFrom(std::size_t split, std::size_t firstReference) {
+  nodes_.erase(nodes_.begin() + static_cast<std::ptrdiff_t>(split), nodes_.end());
+  references_.resize(firstReference);
+  boxes_.resize(firstReference);
+}
+
 void NodeArray::chargeMemory(MemoryMeter& meter) {
   charge_.resize(meter, nodes_.capacity() * sizeof(Node) +
                             references_.capacity() * sizeof(std::uint32_t) +

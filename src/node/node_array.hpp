@@ -30,6 +30,9 @@ class NodeArray {
   /// Makes what is added next the right child of that split.
   void beginRightChild(std::size_t split);
 
+  /// Takes back all that was added from a split on; `firstReference` is that of its first leaf.
+  void removeFrom(std::size_t split, std::size_t firstReference);
+
   /// Counts what the arrays take, for as long as they live. To be called when they are full, and
   /// now and then before: a tree may grow far beyond the objects that it is made of.
   void chargeMemory(MemoryMeter& meter);

@@ -37,6 +37,10 @@ class TreePieces {
   [[nodiscard]] const std::vector<NodeArray>& subtrees() const noexcept { return subtrees_; }
   [[nodiscard]] std::size_t referenceCount() const noexcept;
 
+  /// Changes what is in a place.
+  void replaceSubtree(std::size_t index, NodeArray subtree) noexcept {
+    subtrees_[index] = std::move(subtree);
+  }
   /// Hands a subtree over, and leaves an empty one in its place.
   [[nodiscard]] NodeArray takeSubtree(std::size_t index) noexcept {
     return std::exchange(subtrees_[index], NodeArray());

@@ -3,6 +3,7 @@
 #include <planetree/error.hpp>
 
 #include "mesh/pack_leaf.hpp"
+#include "node/retract_splits.hpp"
 #include "node/tree_pieces.hpp"
 #include "node/widen_tree.hpp"
 #include "split/bound_objects.hpp"
@@ -10,6 +11,7 @@
 #include "split/tree_builder.hpp"
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -97,6 +99,21 @@ std::uint32_t commonMaskOf(const std::vector<GeometryEntry<T>>& geometries) noex
   return common;
 }
 
+/// Takes back splits in all pieces at once.
+void retractSplits(TreePieces& pieces, const Box3& bounds, LeafCuts cuts,
+                   const MakeLeafPacker& makePacker, BuildMonitor& monitor) {
+  const SlotPlanner planner(bounds.surfaceArea(), pieces.referenceCount());
+  const auto total = static_cast<double>(std::max<std::size_t>(pieces.referenceCount(), 1));
+  tbb::parallel_for(std::size_t{0}, pieces.subtrees().size(), [&](std::size_t i) {
+    const NodeArray& subtree = pieces.subtrees()[i];
+    const double part = static_cast<double>(subtree.references().size()) / total;
+    NodeArray retracted = retractSplits(subtree, cuts, *makePacker(), planner);
+    retracted.chargeMemory(monitor.memory());
+    pieces.replaceSubtree(i, std::move(retracted));
+    monitor.advance(part);
+  });
+}
+
 template <class T>
 bool holdsOnlyFaces(const TreeData<T>& tree) noexcept {
   return std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh<T>);
@@ -119,11 +136,12 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
   tree.geometries = std::move(geometries);
 
   const auto build = [&] {
-    monitor.beginPhase("bound", 0.05);
+    const double whole = options.retractsSplits && holdsOnlyFaces(tree) ? 0.35 : 1.0;
+    monitor.beginPhase("bound", 0.05 * whole);
     BoundedObjects objects = boundObjects<T>(tree.geometries, tree.report, monitor);
     tree.bounds = objects.bounds;
 
-    monitor.beginPhase("split", 0.55);
+    monitor.beginPhase("split", 0.55 * whole);
     const std::size_t objectCount = objects.all.references.size();
     const ClipReferences clip = clipperFor(tree.geometries);
     const BuildOptions effective = optionsFor(tree);
@@ -131,7 +149,17 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     TreePieces pieces =
         builder.build(std::move(objects.all), tree.bounds, referenceBudget(options, objectCount));
 
-    monitor.beginPhase("assemble", 0.01);
+    const Vec3f center = centerOfWideTree(tree.bounds);
+    const MakeLeafPacker makePacker = [&] {
+      return std::make_unique<FacePacker<T>>(tree.geometries, center);
+    };
+    const LeafCuts cuts = options.exactPlanes ? LeafCuts::AllPositions : LeafCuts::Bins;
+    if (options.retractsSplits && holdsOnlyFaces(tree)) {
+      monitor.beginPhase("retract", 1.0 - whole);
+      retractSplits(pieces, tree.bounds, cuts, makePacker, monitor);
+    }
+
+    monitor.beginPhase("assemble", 0.01 * whole);
     BinaryTree binary = joinPieces(pieces);
     tree.nodes = std::move(binary.nodes);
     tree.references = std::move(binary.references);
@@ -140,13 +168,9 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
         monitor.memory(),
         tree.nodes.size() * sizeof(Node) + tree.references.size() * sizeof(std::uint32_t));
 
-    monitor.beginPhase("widen", 0.39);
-    const Vec3f center = centerOfWideTree(tree.bounds);
-    WideTree wide = widenTree(
-        std::move(pieces), tree.bounds,
-        options.exactPlanes ? LeafCuts::AllPositions : LeafCuts::Bins,
-        [&] { return std::make_unique<FacePacker<T>>(tree.geometries, center); }, monitor.memory(),
-        [&](double part) { monitor.advance(part); });
+    monitor.beginPhase("widen", 0.39 * whole);
+    WideTree wide = widenTree(std::move(pieces), tree.bounds, cuts, makePacker, monitor.memory(),
+                              [&](double part) { monitor.advance(part); });
     wide.commonMask = commonMaskOf(tree.geometries);
     tree.wide = std::make_shared<const WideTree>(std::move(wide));
     monitor.finish();

@@ -43,6 +43,11 @@ struct BuildOptions {
   /// dozens of bins, and find the cheapest plane next to the best edge.
   bool exactPlanes = true;
 
+  /// Take splits back that turn out not to pay, once all below them is built and it is known what
+  /// it costs a query: "pruning"; Havran, "Heuristic ray shooting algorithms", dissertation, CTU
+  /// Prague 2000. For faces only. Takes twice as long as all the rest.
+  bool retractsSplits = false;
+
   /// How many references there may be for each object, on average; 0 sets no bound. Large faces
   /// that cross in one place would otherwise multiply with every split. Each side of a split gets a
   /// part of what its parent may have, by the share of references it holds, and a cell that has
@@ -71,7 +76,7 @@ struct BuildOptions {
   /// Takes its time for the sake of the rays, for scenes that are built once and looked at for long.
   [[nodiscard]] static constexpr BuildOptions high() noexcept {
     BuildOptions options;
-    options.cost.faceCost = 0.07;
+    options.retractsSplits = true;
     return options;
   }
 
