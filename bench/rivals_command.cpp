@@ -228,7 +228,9 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
   rivals
       ->add_option("--engines", command.engines,
                    "Libraries, or single modes of them: planetree, embree3, cgal, "
-                   "embree3:high-robust, ... [all but cgal]. Only by its full name: "
+                   "embree3:high-robust, ... [all but cgal]. Only by their full names: "
+                   "planetree:fast-watertight, planetree:high-watertight and "
+                   "planetree:textbook-watertight, the other presets, and "
                    "planetree:balanced-watertight-float64, which traces in double")
       ->delimiter(',')
       ->allow_extra_args(false)

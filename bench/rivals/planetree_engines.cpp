@@ -82,8 +82,12 @@ EngineList planetreeEngines() {
   return engines;
 }
 
-EngineList planetreeDoubleEngines() {
+EngineList planetreeEnginesByName() {
   EngineList engines;
+  for (const auto& [mode, options] : {std::pair("fast-watertight", BuildOptions::fast()),
+                                      std::pair("high-watertight", BuildOptions::high()),
+                                      std::pair("textbook-watertight", BuildOptions::textbook())})
+    engines.push_back(std::make_unique<PlanetreeEngine<float>>(mode, options, false));
   engines.push_back(std::make_unique<PlanetreeEngine<double>>("balanced-watertight-float64",
                                                               BuildOptions{}, false));
   return engines;

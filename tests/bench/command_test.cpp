@@ -75,6 +75,17 @@ TEST_F(BenchCommand, RivalsTracesInDoubleOnlyWhereThatModeIsNamed) {
   EXPECT_FALSE(results[1].isDefault);
 }
 
+TEST_F(BenchCommand, RivalsBuildsWithTheOtherPresetsOnlyWhereTheyAreNamed) {
+  const auto result = rivals({"--engines", "planetree:fast-watertight,planetree:high-watertight",
+                              "--kinds", "random", "--json", "-", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  std::vector<std::string> modes;
+  for (const Result& found : resultsFromJson(result.out, "out"))
+    modes.push_back(found.mode);
+  EXPECT_EQ(modes, (std::vector<std::string>{"balanced-watertight", "fast-watertight",
+                                             "high-watertight"}));
+}
+
 TEST_F(BenchCommand, WrongUsageEndsWithTwoAndAdvice) {
   const std::vector<std::vector<std::string>> wrong = {
       {},
