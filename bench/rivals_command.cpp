@@ -107,6 +107,13 @@ EngineList selectEngines(const std::vector<std::string>& names) {
   return selected;
 }
 
+void checkSteps(const RivalsCommand& command, const EngineList& engines) {
+  if (!isNamed(command.measures, "steps") ||
+      std::any_of(engines.begin(), engines.end(), [](const auto& e) { return e->countsSteps(); }))
+    return;
+  throw UsageError("--measure: none of the engines counts steps", "Name planetree besides.");
+}
+
 std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
   std::vector<RayKind> kinds;
   for (const RayKind kind : kRayKinds) {
@@ -160,11 +167,57 @@ void warnOfUnfitMachine() {
   }
 }
 
-MeasureSettings settingsFor(const RivalsCommand& command, const std::string& measure) {
+/// What can be measured, and how.
+struct Measure {
+  std::string name;
+  std::vector<Result> (*run)(const BenchScene&, const EngineList&, const MeasureSettings&);
+  bool tracesRays = false;  ///< a ray is answered by one thread; a build uses what there is
+  bool countsMemory = false;
+};
+
+const std::vector<Measure>& knownMeasures() {
+  static const std::vector<Measure> all = {
+      {.name = "build", .run = &measureBuild},
+      {.name = "rays", .run = &measureRays, .tracesRays = true},
+      {.name = "memory", .run = &measureMemory, .countsMemory = true},
+      {.name = "peak", .run = &measurePeak, .countsMemory = true},
+      {.name = "steps", .run = &measureSteps, .tracesRays = true},
+  };
+  return all;
+}
+
+std::vector<std::string> measureNames() {
+  std::vector<std::string> names;
+  for (const Measure& measure : knownMeasures())
+    names.push_back(measure.name);
+  return names;
+}
+
+/// Those asked for, in the order in which they are.
+std::vector<Measure> selectMeasures(const std::vector<std::string>& names) {
+  std::vector<Measure> selected;
+  for (const std::string& name : names) {
+    selected.push_back(*std::find_if(knownMeasures().begin(), knownMeasures().end(),
+                                     [&](const Measure& known) { return known.name == name; }));
+  }
+  return selected;
+}
+
+/// How many threads to measure with, each number once.
+std::vector<unsigned> threadCountsFor(const RivalsCommand& command, const Measure& measure) {
+  std::vector<unsigned> counts;
+  for (unsigned count : command.threadCounts) {
+    if (count == 0)
+      count = measure.tracesRays ? 1 : hardwareThreads();
+    if (std::find(counts.begin(), counts.end(), count) == counts.end())
+      counts.push_back(count);
+  }
+  return counts;
+}
+
+MeasureSettings settingsFor(const RivalsCommand& command, unsigned threadCount) {
   MeasureSettings settings;
-  // A ray is answered by one thread; a build uses what there is.
-  const unsigned unasked = measure == "rays" ? 1 : hardwareThreads();
-  settings.threadCount = command.threadCount > 0 ? command.threadCount : unasked;
+  settings.threadCount = threadCount;
   settings.buildThreadCount = hardwareThreads();
   settings.repetitions = command.repetitions;
   settings.kinds = selectKinds(command.kinds);
@@ -179,17 +232,17 @@ MeasureSettings settingsFor(const RivalsCommand& command, const std::string& mea
 std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene& scene,
                                  const EngineList& engines) {
   std::vector<Result> results;
-  for (const std::string& measure : command.measures) {
-    MeasureSettings settings = settingsFor(command, measure);
-    settings.areAnswersChecked = !results.empty();
-    const SceneObjects objects = scene.objects();
-    say(fmt::format("{}: {} {}, measuring {} on {} {}", scene.name, objects.size(),
-                    objects.mesh() != nullptr ? "triangles" : "shapes", measure,
-                    settings.threadCount, settings.threadCount == 1 ? "thread" : "threads"));
-    const auto measured = measure == "build"    ? measureBuild(scene, engines, settings)
-                          : measure == "memory" ? measureMemory(scene, engines, settings)
-                                                : measureRays(scene, engines, settings);
-    results.insert(results.end(), measured.begin(), measured.end());
+  const SceneObjects objects = scene.objects();
+  for (const Measure& measure : selectMeasures(command.measures)) {
+    for (const unsigned threadCount : threadCountsFor(command, measure)) {
+      MeasureSettings settings = settingsFor(command, threadCount);
+      settings.areAnswersChecked = !results.empty();
+      say(fmt::format("{}: {} {}, measuring {} on {} {}", scene.name, objects.size(),
+                      objects.mesh() != nullptr ? "triangles" : "shapes", measure.name, threadCount,
+                      threadCount == 1 ? "thread" : "threads"));
+      const auto measured = measure.run(scene, engines, settings);
+      results.insert(results.end(), measured.begin(), measured.end());
+    }
   }
   return results;
 }
@@ -213,10 +266,14 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
                    "spheres, and virtual shapes of five kinds")
       ->required()
       ->type_name("SCENE");
-  rivals->add_option("--measure", command.measures, "What to measure: build, rays, memory")
+  rivals
+      ->add_option(
+          "--measure", command.measures,
+          "What to measure: build, rays, memory, peak (of memory while building), steps (of "
+          "planetree's rays)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"build", "rays", "memory"}))
+      ->check(CLI::IsMember(measureNames()))
       ->capture_default_str();
   rivals->add_option("--json", command.json, "File to write the results to; - is standard output")
       ->type_name("FILE");
@@ -236,8 +293,11 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
       ->allow_extra_args(false)
       ->type_name("NAME");
   rivals
-      ->add_option("--threads", command.threadCount,
-                   "Threads; 0 is 1 for rays, and all of the machine's for build and memory")
+      ->add_option("--threads", command.threadCounts,
+                   "Threads; 0 is 1 for rays and steps, and all of the machine's for builds. Of "
+                   "several numbers, like 1,2, each is measured with")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::Range(0u, 1024u))
       ->capture_default_str();
   rivals
@@ -252,10 +312,14 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
 int runRivalsCommand(const RivalsCommand& command) {
   checkInstructionSet();
   checkNames(command.scenes);
-  if (isNamed(command.measures, "memory") && !heapIsCounted())
+  const auto measures = selectMeasures(command.measures);
+  const bool countsMemory = std::any_of(measures.begin(), measures.end(),
+                                        [](const Measure& m) { return m.countsMemory; });
+  if (countsMemory && !heapIsCounted())
     throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");
   tellWhoIsMissing(command.engines);
   const EngineList engines = selectEngines(command.engines);
+  checkSteps(command, engines);
   const bool hasShapes = std::any_of(command.scenes.begin(), command.scenes.end(), isShapeScene);
   const EngineList shapeEngines =
       hasShapes ? selectEnginesForShapes(command.engines) : EngineList();

@@ -123,6 +123,12 @@ std::string measureTitle(const std::string& measure) {
     return "seconds to build, less is better";
   if (measure == kBytesPerTriangle)
     return "bytes per triangle, less is better";
+  if (measure == kPeakBytesPerTriangle)
+    return "most bytes per triangle held while building, less is better";
+  if (measure == kNodeStepsPerRay)
+    return "nodes visited per ray, less is better";
+  if (measure == kObjectTestsPerRay)
+    return "objects tested per ray, less is better";
   return measure;
 }
 

@@ -1,3 +1,4 @@
+#include "bench/support/counted_heap.hpp"
 #include "bench/support/result.hpp"
 #include "tests/cli/tool_run.hpp"
 
@@ -60,6 +61,35 @@ TEST_F(BenchCommand, RivalsTakesThreadsAndSingleModes) {
            "--threads", "2", "--repetitions", "1", "--json", "-", "waves.ply"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(resultsFromJson(result.out, "out").at(0).threadCount, 2u);
+}
+
+TEST_F(BenchCommand, RivalsMeasuresWithEachOfSeveralNumbersOfThreads) {
+  const auto result =
+      rivals({"--measure", "build", "--threads", "1,2,1", "--json", "b.json", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto results = resultsFromJson(readFile("b.json"), "b.json");
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].threadCount, 1u);
+  EXPECT_EQ(results[1].threadCount, 2u);
+}
+
+TEST_F(BenchCommand, RivalsCountsStepsAndPeaks) {
+  const auto result = rivals({"--measure", "steps", "--kinds", "ao", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "nodes visited per ray"));
+  EXPECT_TRUE(contains(result.out, "objects tested per ray"));
+  if (!heapIsCounted())
+    return;
+  const auto peak = rivals({"--measure", "peak", "waves.ply"});
+  EXPECT_EQ(peak.status, 0) << peak.err;
+  EXPECT_TRUE(contains(peak.out, "most bytes per triangle held while building"));
+}
+
+TEST_F(BenchCommand, StepsWantAnEngineThatCountsThem) {
+  const auto result = run({"rivals", "--measure", "steps", "--engines", "embree3", "waves.ply"});
+  // Without Embree in this build it fails for that.
+  EXPECT_TRUE(result.status == 2 || result.status == 1) << result.err;
+  EXPECT_TRUE(contains(result.err, "embree3") || contains(result.err, "count")) << result.err;
 }
 
 TEST_F(BenchCommand, RivalsTracesInDoubleOnlyWhereThatModeIsNamed) {
