@@ -1,7 +1,9 @@
 #include "bench/rivals_command.hpp"
 
 #include "bench/scene/shape_scenes.hpp"
+#include "bench/scene/sized_scenes.hpp"
 #include "bench/support/build_info.hpp"
+#include "bench/support/comparisons.hpp"
 #include "bench/support/counted_heap.hpp"
 #include "bench/support/files.hpp"
 #include "bench/support/measure.hpp"
@@ -138,8 +140,16 @@ EngineList selectEnginesForShapes(const std::vector<std::string>& names) {
   return engines;
 }
 
+bool isFile(const std::filesystem::path& scene) {
+  return !isShapeScene(scene) && !sizedSceneName(scene.string());
+}
+
 BenchScene sceneFor(const std::filesystem::path& scene) {
-  return isShapeScene(scene) ? makeShapeScene(scene.string()) : loadScene(scene);
+  if (isShapeScene(scene))
+    return makeShapeScene(scene.string());
+  if (const auto size = sizedSceneName(scene.string()))
+    return makeSizedScene(*size, scene.string());
+  return loadScene(scene);
 }
 
 /// Scenes are told apart by their names alone, in the JSON and in the tables.
@@ -252,6 +262,8 @@ std::string tables(const std::vector<Result>& results) {
                                  compiler(), commit());
   for (const Summary& summary : summarise(results))
     text += "\n" + toText(summary);
+  for (const Table& table : comparisons(results))
+    text += "\n" + toText(table);
   return text + "\n* without options. Nx: planetree's default is N times better than this one.\n";
 }
 
@@ -261,9 +273,11 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
   CLI::App* const rivals =
       app.add_subcommand("rivals", "Measure planetree and other libraries side by side in one run");
   rivals
-      ->add_option("scenes", command.scenes,
-                   "Models to measure with; spheres and shapes are scenes made in code: a million "
-                   "spheres, and virtual shapes of five kinds")
+      ->add_option(
+          "scenes", command.scenes,
+          "Models to measure with. Scenes made in code: spheres, a million of them; shapes, "
+          "virtual ones of five kinds; terrain-10k, a surface of ten thousand triangles; "
+          "scatter-20m, twenty million in small meshes; any number with k or m")
       ->required()
       ->type_name("SCENE");
   rivals
@@ -329,7 +343,7 @@ int runRivalsCommand(const RivalsCommand& command) {
     checkIsWritable(command.json);
   // Before the first is measured, which may take an hour.
   for (const auto& file : command.scenes) {
-    if (!isShapeScene(file))
+    if (isFile(file))
       checkIsReadable(file);
   }
   warnOfUnfitMachine();

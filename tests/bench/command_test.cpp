@@ -178,6 +178,14 @@ TEST_F(BenchCommand, AFileMayHaveTheNameOfASceneOfShapes) {
   EXPECT_TRUE(contains(result.err, "spheres: 3200 triangles"));
 }
 
+TEST_F(BenchCommand, RivalsMeasuresScenesOfAnySize) {
+  const auto result = rivals({"--measure", "build", "terrain-1k", "scatter-2k"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.err, "scatter-2k: 2136 triangles")) << result.err;
+  EXPECT_TRUE(contains(result.out, "nanoseconds to build for each triangle of terrain"));
+  EXPECT_EQ(rivals({"terrain-1g"}).status, 1) << "there is no file of that name";
+}
+
 TEST_F(BenchCommand, ShapesWantAnEngineThatTakesThem) {
   const auto result = run({"rivals", "--engines", "cgal", "shapes"});
   // Without CGAL in this build it fails for that.
@@ -247,6 +255,20 @@ TEST_F(BenchCommand, ReportRenewsThePageAndKeepsWhatIsWrittenByHand) {
   EXPECT_TRUE(contains(page, "Machine: a computer."));
   EXPECT_TRUE(contains(page, "](./mrays_per_second-random-1.svg)"));
   EXPECT_TRUE(contains(readFile("mrays_per_second-random-1.svg"), "</svg>"));
+}
+
+TEST_F(BenchCommand, ReportPutsSeveralFilesTogether) {
+  writeFile("page.md", "<!-- figures: begin -->\n<!-- figures: end -->\n");
+  ASSERT_EQ(rivals({"--kinds", "random", "--json", "rays.json", "waves.ply"}).status, 0);
+  ASSERT_EQ(rivals({"--measure", "build", "--threads", "1,2", "--json", "build.json", "waves.ply"})
+                .status,
+            0);
+  const auto result =
+      run({"report", "rays.json", "build.json", "--page", "page.md", "--plots", "."});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const std::string page = readFile("page.md");
+  EXPECT_TRUE(contains(page, "Million rays per second"));
+  EXPECT_TRUE(contains(page, "How many times faster 2 threads build than 1"));
 }
 
 TEST_F(BenchCommand, ReportRefusesWhatIsNoResult) {
