@@ -22,7 +22,10 @@ namespace fs = std::filesystem;
 CLI::App* addReportCommand(CLI::App& app, ReportCommand& command) {
   CLI::App* const report =
       app.add_subcommand("report", "Renew the figures and plots of docs/performance.md");
-  report->add_option("json", command.json, "Results of the rivals command")
+  report
+      ->add_option(
+          "json", command.json,
+          "Results of the rivals command; of what is in several files, the last one counts")
       ->required()
       ->type_name("FILE");
   report
@@ -39,12 +42,25 @@ CLI::App* addReportCommand(CLI::App& app, ReportCommand& command) {
   return report;
 }
 
-int runReportCommand(const ReportCommand& command) {
-  const auto results = resultsFromJson(readTextFile(command.json), command.json);
-  if (results.empty()) {
-    throw Error(ErrorCode::MalformedFile, "holds no results",
-                "Write it anew with planetree-bench rivals --json.", {.file = command.json});
+namespace {
+
+std::vector<Result> resultsOf(const std::vector<std::string>& files) {
+  std::vector<Result> all;
+  for (const std::string& file : files) {
+    const auto results = resultsFromJson(readTextFile(file), file);
+    if (results.empty()) {
+      throw Error(ErrorCode::MalformedFile, "holds no results",
+                  "Write it anew with planetree-bench rivals --json.", {.file = file});
+    }
+    all.insert(all.end(), results.begin(), results.end());
   }
+  return all;
+}
+
+}  // namespace
+
+int runReportCommand(const ReportCommand& command) {
+  const std::vector<Result> results = resultsOf(command.json);
   const std::string page = readTextFile(command.page);
   // The page links to the plots from where it stands.
   const fs::path pageFolder = fs::absolute(command.page).parent_path();

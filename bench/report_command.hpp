@@ -2,12 +2,13 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
 namespace planetree::bench {
 
 /// The options of `planetree-bench report`.
 struct ReportCommand {
-  std::string json;
+  std::vector<std::string> json;
   std::string page;
   std::string plots;
   std::string machine;

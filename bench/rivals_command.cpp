@@ -1,7 +1,9 @@
 #include "bench/rivals_command.hpp"
 
 #include "bench/scene/shape_scenes.hpp"
+#include "bench/scene/sized_scenes.hpp"
 #include "bench/support/build_info.hpp"
+#include "bench/support/comparisons.hpp"
 #include "bench/support/counted_heap.hpp"
 #include "bench/support/files.hpp"
 #include "bench/support/measure.hpp"
@@ -107,6 +109,13 @@ EngineList selectEngines(const std::vector<std::string>& names) {
   return selected;
 }
 
+void checkSteps(const RivalsCommand& command, const EngineList& engines) {
+  if (!isNamed(command.measures, "steps") ||
+      std::any_of(engines.begin(), engines.end(), [](const auto& e) { return e->countsSteps(); }))
+    return;
+  throw UsageError("--measure: none of the engines counts steps", "Name planetree besides.");
+}
+
 std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
   std::vector<RayKind> kinds;
   for (const RayKind kind : kRayKinds) {
@@ -131,8 +140,16 @@ EngineList selectEnginesForShapes(const std::vector<std::string>& names) {
   return engines;
 }
 
+bool isFile(const std::filesystem::path& scene) {
+  return !isShapeScene(scene) && !sizedSceneName(scene.string());
+}
+
 BenchScene sceneFor(const std::filesystem::path& scene) {
-  return isShapeScene(scene) ? makeShapeScene(scene.string()) : loadScene(scene);
+  if (isShapeScene(scene))
+    return makeShapeScene(scene.string());
+  if (const auto size = sizedSceneName(scene.string()))
+    return makeSizedScene(*size, scene.string());
+  return loadScene(scene);
 }
 
 /// Scenes are told apart by their names alone, in the JSON and in the tables.
@@ -160,11 +177,57 @@ void warnOfUnfitMachine() {
   }
 }
 
-MeasureSettings settingsFor(const RivalsCommand& command, const std::string& measure) {
+/// What can be measured, and how.
+struct Measure {
+  std::string name;
+  std::vector<Result> (*run)(const BenchScene&, const EngineList&, const MeasureSettings&);
+  bool tracesRays = false;  ///< a ray is answered by one thread; a build uses what there is
+  bool countsMemory = false;
+};
+
+const std::vector<Measure>& knownMeasures() {
+  static const std::vector<Measure> all = {
+      {.name = "build", .run = &measureBuild},
+      {.name = "rays", .run = &measureRays, .tracesRays = true},
+      {.name = "memory", .run = &measureMemory, .countsMemory = true},
+      {.name = "peak", .run = &measurePeak, .countsMemory = true},
+      {.name = "steps", .run = &measureSteps, .tracesRays = true},
+  };
+  return all;
+}
+
+std::vector<std::string> measureNames() {
+  std::vector<std::string> names;
+  for (const Measure& measure : knownMeasures())
+    names.push_back(measure.name);
+  return names;
+}
+
+/// Those asked for, in the order in which they are.
+std::vector<Measure> selectMeasures(const std::vector<std::string>& names) {
+  std::vector<Measure> selected;
+  for (const std::string& name : names) {
+    selected.push_back(*std::find_if(knownMeasures().begin(), knownMeasures().end(),
+                                     [&](const Measure& known) { return known.name == name; }));
+  }
+  return selected;
+}
+
+/// How many threads to measure with, each number once.
+std::vector<unsigned> threadCountsFor(const RivalsCommand& command, const Measure& measure) {
+  std::vector<unsigned> counts;
+  for (unsigned count : command.threadCounts) {
+    if (count == 0)
+      count = measure.tracesRays ? 1 : hardwareThreads();
+    if (std::find(counts.begin(), counts.end(), count) == counts.end())
+      counts.push_back(count);
+  }
+  return counts;
+}
+
+MeasureSettings settingsFor(const RivalsCommand& command, unsigned threadCount) {
   MeasureSettings settings;
-  // A ray is answered by one thread; a build uses what there is.
-  const unsigned unasked = measure == "rays" ? 1 : hardwareThreads();
-  settings.threadCount = command.threadCount > 0 ? command.threadCount : unasked;
+  settings.threadCount = threadCount;
   settings.buildThreadCount = hardwareThreads();
   settings.repetitions = command.repetitions;
   settings.kinds = selectKinds(command.kinds);
@@ -179,17 +242,17 @@ MeasureSettings settingsFor(const RivalsCommand& command, const std::string& mea
 std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene& scene,
                                  const EngineList& engines) {
   std::vector<Result> results;
-  for (const std::string& measure : command.measures) {
-    MeasureSettings settings = settingsFor(command, measure);
-    settings.areAnswersChecked = !results.empty();
-    const SceneObjects objects = scene.objects();
-    say(fmt::format("{}: {} {}, measuring {} on {} {}", scene.name, objects.size(),
-                    objects.mesh() != nullptr ? "triangles" : "shapes", measure,
-                    settings.threadCount, settings.threadCount == 1 ? "thread" : "threads"));
-    const auto measured = measure == "build"    ? measureBuild(scene, engines, settings)
-                          : measure == "memory" ? measureMemory(scene, engines, settings)
-                                                : measureRays(scene, engines, settings);
-    results.insert(results.end(), measured.begin(), measured.end());
+  const SceneObjects objects = scene.objects();
+  for (const Measure& measure : selectMeasures(command.measures)) {
+    for (const unsigned threadCount : threadCountsFor(command, measure)) {
+      MeasureSettings settings = settingsFor(command, threadCount);
+      settings.areAnswersChecked = !results.empty();
+      say(fmt::format("{}: {} {}, measuring {} on {} {}", scene.name, objects.size(),
+                      objects.mesh() != nullptr ? "triangles" : "shapes", measure.name, threadCount,
+                      threadCount == 1 ? "thread" : "threads"));
+      const auto measured = measure.run(scene, engines, settings);
+      results.insert(results.end(), measured.begin(), measured.end());
+    }
   }
   return results;
 }
@@ -199,6 +262,8 @@ std::string tables(const std::vector<Result>& results) {
                                  compiler(), commit());
   for (const Summary& summary : summarise(results))
     text += "\n" + toText(summary);
+  for (const Table& table : comparisons(results))
+    text += "\n" + toText(table);
   return text + "\n* without options. Nx: planetree's default is N times better than this one.\n";
 }
 
@@ -208,15 +273,21 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
   CLI::App* const rivals =
       app.add_subcommand("rivals", "Measure planetree and other libraries side by side in one run");
   rivals
-      ->add_option("scenes", command.scenes,
-                   "Models to measure with; spheres and shapes are scenes made in code: a million "
-                   "spheres, and virtual shapes of five kinds")
+      ->add_option(
+          "scenes", command.scenes,
+          "Models to measure with. Scenes made in code: spheres, a million of them; shapes, "
+          "virtual ones of five kinds; terrain-10k, a surface of ten thousand triangles; "
+          "scatter-20m, twenty million in small meshes; any number with k or m")
       ->required()
       ->type_name("SCENE");
-  rivals->add_option("--measure", command.measures, "What to measure: build, rays, memory")
+  rivals
+      ->add_option(
+          "--measure", command.measures,
+          "What to measure: build, rays, memory, peak (of memory while building), steps (of "
+          "planetree's rays)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"build", "rays", "memory"}))
+      ->check(CLI::IsMember(measureNames()))
       ->capture_default_str();
   rivals->add_option("--json", command.json, "File to write the results to; - is standard output")
       ->type_name("FILE");
@@ -228,14 +299,19 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
   rivals
       ->add_option("--engines", command.engines,
                    "Libraries, or single modes of them: planetree, embree3, cgal, "
-                   "embree3:high-robust, ... [all but cgal]. Only by its full name: "
+                   "embree3:high-robust, ... [all but cgal]. Only by their full names: "
+                   "planetree:fast-watertight, planetree:high-watertight and "
+                   "planetree:textbook-watertight, the other presets, and "
                    "planetree:balanced-watertight-float64, which traces in double")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAME");
   rivals
-      ->add_option("--threads", command.threadCount,
-                   "Threads; 0 is 1 for rays, and all of the machine's for build and memory")
+      ->add_option("--threads", command.threadCounts,
+                   "Threads; 0 is 1 for rays and steps, and all of the machine's for builds. Of "
+                   "several numbers, like 1,2, each is measured with")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::Range(0u, 1024u))
       ->capture_default_str();
   rivals
@@ -250,10 +326,14 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
 int runRivalsCommand(const RivalsCommand& command) {
   checkInstructionSet();
   checkNames(command.scenes);
-  if (isNamed(command.measures, "memory") && !heapIsCounted())
+  const auto measures = selectMeasures(command.measures);
+  const bool countsMemory = std::any_of(measures.begin(), measures.end(),
+                                        [](const Measure& m) { return m.countsMemory; });
+  if (countsMemory && !heapIsCounted())
     throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");
   tellWhoIsMissing(command.engines);
   const EngineList engines = selectEngines(command.engines);
+  checkSteps(command, engines);
   const bool hasShapes = std::any_of(command.scenes.begin(), command.scenes.end(), isShapeScene);
   const EngineList shapeEngines =
       hasShapes ? selectEnginesForShapes(command.engines) : EngineList();
@@ -263,7 +343,7 @@ int runRivalsCommand(const RivalsCommand& command) {
     checkIsWritable(command.json);
   // Before the first is measured, which may take an hour.
   for (const auto& file : command.scenes) {
-    if (!isShapeScene(file))
+    if (isFile(file))
       checkIsReadable(file);
   }
   warnOfUnfitMachine();

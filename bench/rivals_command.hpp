@@ -14,7 +14,7 @@ struct RivalsCommand {
   std::vector<std::string> kinds = {"primary", "ao", "diffuse", "random"};
   std::vector<std::string> engines;
   std::string json;
-  unsigned threadCount = 0;
+  std::vector<unsigned> threadCounts = {0};
   unsigned repetitions = 5;
   bool isQuick = false;
 };

@@ -20,8 +20,9 @@ namespace {
 using MakeScene = TriangleMesh<float> (*)();
 
 const std::map<std::string, MakeScene>& sceneMakers() {
-  static const std::map<std::string, MakeScene> makers = {
-      {"terrain", &makeTerrain}, {"foliage", &makeFoliage}, {"interior", &makeInterior}};
+  static const std::map<std::string, MakeScene> makers = {{"terrain", [] { return makeTerrain(); }},
+                                                          {"foliage", &makeFoliage},
+                                                          {"interior", &makeInterior}};
   return makers;
 }
 

@@ -20,7 +20,9 @@ constexpr double kBarsLeft = 170.0;
 constexpr double kLongestBar = 500.0;
 constexpr double kBarHeight = 13.0;
 constexpr double kGroupGap = 12.0;
-constexpr double kHeaderHeight = 62.0;
+constexpr double kHeaderHeight = 62.0;  ///< with one line of keys
+constexpr double kKeysLeft = 14.0;
+constexpr double kKeyHeight = 16.0;
 
 /// Okabe and Ito, "Color universal design", 2008: told apart by everybody. The first is
 /// planetree's.
@@ -76,19 +78,30 @@ class SvgText {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
     text_ += '\n';
   }
+  void add(const SvgText& other) { text_ += other.text_; }
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
 
  private:
   std::string text_;
 };
 
-void addLegend(SvgText& svg, const BarChart& chart) {
-  double x = 14.0;
+/// Adds the keys, in as many lines as they take; returns the height of all lines but the first.
+double addLegend(SvgText& svg, const BarChart& chart) {
+  double x = kKeysLeft;
+  double y = 0.0;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    svg.line(R"(<rect x="{:.0f}" y="36" width="11" height="11" fill="{}"/>)", x, colourOf(i));
-    svg.line(R"(<text x="{:.0f}" y="46">{}</text>)", x + 16.0, escaped(chart.series[i]));
-    x += 34.0 + 6.6 * static_cast<double>(chart.series[i].size());
+    const double width = 34.0 + 6.6 * static_cast<double>(chart.series[i].size());
+    if (x > kKeysLeft && x + width > kWidth) {
+      x = kKeysLeft;
+      y += kKeyHeight;
+    }
+    svg.line(R"(<rect x="{:.0f}" y="{:.0f}" width="11" height="11" fill="{}"/>)", x, y + 36.0,
+             colourOf(i));
+    svg.line(R"(<text x="{:.0f}" y="{:.0f}">{}</text>)", x + 16.0, y + 46.0,
+             escaped(chart.series[i]));
+    x += width;
   }
+  return y;
 }
 
 void addGroup(SvgText& svg, const BarChart& chart, const BarChart::Group& group, double top,
@@ -111,17 +124,19 @@ void addGroup(SvgText& svg, const BarChart& chart, const BarChart::Group& group,
 }  // namespace
 
 std::string toSvg(const BarChart& chart) {
+  SvgText legend;
+  const double headerHeight = kHeaderHeight + addLegend(legend, chart);
   const double height =
-      kHeaderHeight + groupHeight(chart) * static_cast<double>(chart.groups.size());
+      headerHeight + groupHeight(chart) * static_cast<double>(chart.groups.size());
   SvgText svg;
   svg.line(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
            R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="sans-serif" font-size="12" fill="#222">)",
            kWidth, height);
   svg.line(R"(<rect width="100%" height="100%" fill="#fff"/>)");
   svg.line(R"(<text x="14" y="22" font-size="15">{}</text>)", escaped(chart.title));
-  addLegend(svg, chart);
+  svg.add(legend);
   const double longestOfAll = longestOf(chart);
-  double top = kHeaderHeight;
+  double top = headerHeight;
   for (const BarChart::Group& group : chart.groups) {
     addGroup(svg, chart, group, top, chart.scalesEachGroup ? longestOf(group) : longestOfAll);
     top += groupHeight(chart);

@@ -1,6 +1,8 @@
 #include "bench/report/performance_page.hpp"
 
 #include "bench/report/bar_chart.hpp"
+#include "bench/scene/sized_scenes.hpp"
+#include "bench/support/comparisons.hpp"
 #include "bench/support/summary.hpp"
 
 #include <planetree/error.hpp>
@@ -143,11 +145,27 @@ std::vector<std::string> kindsOf(const Summary& summary) {
   return kinds;
 }
 
-std::string sectionTitle(const Summary& summary) {
-  std::string title = measureTitle(summary.measure);
+std::string asHeading(std::string title) {
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return fmt::format("{} ({} {})", title, summary.threadCount,
+  return title;
+}
+
+std::string sectionTitle(const Summary& summary) {
+  return fmt::format("{} ({} {})", asHeading(measureTitle(summary.measure)), summary.threadCount,
                      summary.threadCount == 1 ? "thread" : "threads");
+}
+
+/// Steps are few numbers that say little in a picture.
+bool isPlotted(const Summary& summary) {
+  return summary.measure != kNodeStepsPerRay && summary.measure != kObjectTestsPerRay;
+}
+
+/// All but the builds that have a table of their own, which shows how they grow with the scene.
+std::vector<Result> withoutSizedBuilds(std::vector<Result> results) {
+  std::erase_if(results, [](const Result& result) {
+    return result.measure == kBuildSeconds && sizedSceneName(result.scene);
+  });
+  return results;
 }
 
 /// "a", or "a; b" if the results were not all made by one.
@@ -166,15 +184,20 @@ PerformanceFigures performanceFigures(const std::vector<Result>& results,
   figures.markdown =
       fmt::format("Machine: {}. Compiler: {}. Commit: {}.\n", machine,
                   joined(results, &Result::compiler), joined(results, &Result::commit));
-  for (const Summary& summary : summarise(results)) {
+  for (const Summary& summary : summarise(withoutSizedBuilds(results))) {
     figures.markdown +=
-        fmt::format("\n### {}\n\n{}\n", sectionTitle(summary), markdownTable(summary));
+        fmt::format("\n### {}\n\n{}", sectionTitle(summary), markdownTable(summary));
+    if (!isPlotted(summary))
+      continue;
+    figures.markdown += "\n";
     for (const std::string& kind : kindsOf(summary)) {
       Plot plot = plotOf(summary, kind);
       figures.markdown += fmt::format("![{}]({}/{})\n", plot.title, plotFolder, plot.name);
       figures.plots.push_back(std::move(plot));
     }
   }
+  for (const Table& table : comparisons(results))
+    figures.markdown += fmt::format("\n### {}\n\n{}", asHeading(table.title), toMarkdown(table));
   return figures;
 }
 

@@ -242,6 +242,10 @@ class Embree3Engine final : public Engine {
     return quality_ == RTC_BUILD_QUALITY_MEDIUM && flags_ == RTC_SCENE_FLAG_NONE;
   }
 
+  void prepare(unsigned threadCount) const override {
+    static_cast<void>(Device::with(threadCount));
+  }
+
   [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                  unsigned threadCount) const override {
     return std::make_unique<Embree3Structure>(Device::with(threadCount), objects, quality_, flags_);

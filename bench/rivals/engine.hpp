@@ -5,6 +5,7 @@
 
 #include <planetree/geometry/ray.hpp>
 #include <planetree/hit/hit.hpp>
+#include <planetree/traversal/step_counts.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -36,6 +37,13 @@ class Structure {
   /// For each ray 1 if it hits anything, else 0. Both spans have one size.
   virtual void findOcclusions(std::span<const Rayf> rays,
                               std::span<std::uint8_t> occluded) const = 0;
+
+  /// The work of looking for the nearest hit of each ray, or for any; nothing is counted if the
+  /// engine says that it does not count.
+  [[nodiscard]] virtual StepCounts countSteps(std::span<const Rayf> /*rays*/,
+                                              bool /*forAnyHit*/) const {
+    return {};
+  }
 };
 
 /// A library in one of its modes: quality of the build, kind of test, single rays or packets.
@@ -60,6 +68,12 @@ class Engine {
   [[nodiscard]] virtual bool queriesReadMesh() const { return false; }
   /// Whether it can hold anything but triangles.
   [[nodiscard]] virtual bool takesShapes() const { return true; }
+  /// Whether its structures count the steps of their queries.
+  [[nodiscard]] virtual bool countsSteps() const { return false; }
+
+  /// Sets up what the library keeps for all builds with so many threads, so that none of them pays
+  /// for it.
+  virtual void prepare(unsigned /*threadCount*/) const {}
 
   /// Everything from the arrays to the first ray that can be traced. The arrays stay the caller's
   /// and outlive the structure; sixteen bytes can be read from the last position of a mesh on. Uses

@@ -4,7 +4,7 @@ namespace planetree::bench {
 
 const std::vector<Rival>& rivals() {
   static const std::vector<Rival> all = {
-      {"planetree", &planetreeEngines, "", true, &planetreeDoubleEngines},
+      {"planetree", &planetreeEngines, "", true, &planetreeEnginesByName},
 #ifdef PLANETREE_BENCH_EMBREE3
       {"embree3", &embree3Engines, "libembree-dev"},
 #else

@@ -12,7 +12,7 @@ using EngineList = std::vector<std::unique_ptr<Engine>>;
 
 // One function for each library. They are defined only where the library was found.
 [[nodiscard]] EngineList planetreeEngines();
-[[nodiscard]] EngineList planetreeDoubleEngines();
+[[nodiscard]] EngineList planetreeEnginesByName();
 [[nodiscard]] EngineList embree3Engines();
 [[nodiscard]] EngineList cgalEngines();
 

@@ -27,6 +27,17 @@ class PlanetreeStructure final : public Structure {
       occluded[i] = tree_.isOccluded(rayIn<T>(rays[i])) ? 1 : 0;
   }
 
+  [[nodiscard]] StepCounts countSteps(std::span<const Rayf> rays, bool forAnyHit) const override {
+    StepCounts steps;
+    for (const Rayf& ray : rays) {
+      if (forAnyHit)
+        static_cast<void>(tree_.isOccluded(rayIn<T>(ray), steps));
+      else
+        static_cast<void>(tree_.findIntersection(rayIn<T>(ray), steps));
+    }
+    return steps;
+  }
+
  private:
   KdTree<O> tree_;
 };
@@ -54,6 +65,7 @@ class PlanetreeEngine final : public Engine {
   [[nodiscard]] bool queriesReadMesh() const override { return kIsFloat; }
   /// The shapes of scenes are in float.
   [[nodiscard]] bool takesShapes() const override { return kIsFloat; }
+  [[nodiscard]] bool countsSteps() const override { return true; }
 
   [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                  unsigned threadCount) const override {
@@ -82,8 +94,12 @@ EngineList planetreeEngines() {
   return engines;
 }
 
-EngineList planetreeDoubleEngines() {
+EngineList planetreeEnginesByName() {
   EngineList engines;
+  for (const auto& [mode, options] : {std::pair("fast-watertight", BuildOptions::fast()),
+                                      std::pair("high-watertight", BuildOptions::high()),
+                                      std::pair("textbook-watertight", BuildOptions::textbook())})
+    engines.push_back(std::make_unique<PlanetreeEngine<float>>(mode, options, false));
   engines.push_back(std::make_unique<PlanetreeEngine<double>>("balanced-watertight-float64",
                                                               BuildOptions{}, false));
   return engines;

@@ -2,16 +2,16 @@
 #include "bench/scene/surface_grid.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace planetree::bench {
 
 namespace {
 
-constexpr std::uint32_t kSquares = 1024;  ///< along each side
 constexpr double kSize = 100.0;
 constexpr double kHeight = 18.0;
-constexpr int kOctaves = 9;
+constexpr double kFirstFrequency = 4.0;
 
 /// A number in [0, 1) for a point of the grid: Steele, Lea, Flood, "Fast splittable pseudorandom
 /// number generators", OOPSLA 2014 (the finalizer of SplitMix64).
@@ -43,12 +43,12 @@ double valueNoise(double x, double z) {
 
 /// Ridges where the noise crosses its middle; each octave is finer, and lower in the valleys than
 /// on the ridges, as weather leaves it (Musgrave, "Texturing and modeling", 1994).
-double ridgedHeight(double x, double z) {
+double ridgedHeight(double x, double z, int octaves) {
   double height = 0.0;
   double amplitude = 0.5;
   double weight = 1.0;
-  double frequency = 4.0;
-  for (int octave = 0; octave < kOctaves; ++octave) {
+  double frequency = kFirstFrequency;
+  for (int octave = 0; octave < octaves; ++octave) {
     const double ridge = 1.0 - std::fabs(2.0 * valueNoise(x * frequency, z * frequency) - 1.0);
     const double signal = ridge * ridge * weight;
     height += signal * amplitude;
@@ -59,12 +59,22 @@ double ridgedHeight(double x, double z) {
   return height;
 }
 
+/// As many as the squares can show: finer ones would be noise.
+int octavesFor(std::uint32_t squares) {
+  int octaves = 1;
+  for (double finest = kFirstFrequency; finest * 2.0 <= squares; finest *= 2.0)
+    ++octaves;
+  return octaves;
+}
+
 }  // namespace
 
-TriangleMesh<float> makeTerrain() {
+TriangleMesh<float> makeTerrain(std::uint32_t squares) {
+  const int octaves = octavesFor(squares);
   TriangleMesh<float> mesh;
-  addSurface(mesh, kSquares, kSquares, [](double u, double v) {
-    return Vec3d{u * kSize, ridgedHeight(u, v) * kHeight, (1.0 - v) * kSize};
+  mesh.faces.reserve(std::size_t{2} * squares * squares);
+  addSurface(mesh, squares, squares, [&](double u, double v) {
+    return Vec3d{u * kSize, ridgedHeight(u, v, octaves) * kHeight, (1.0 - v) * kSize};
   });
   return mesh;
 }

@@ -1,5 +1,6 @@
 #include "bench/support/counted_heap.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #ifdef PLANETREE_BENCH_COUNTS_HEAP
@@ -19,6 +20,8 @@ namespace {
 
 std::atomic<bool> isCounting = false;
 std::atomic<std::int64_t> heldBytes = 0;
+/// But for memory that was just mapped: it may still be cut down.
+std::atomic<std::int64_t> mostBytes = 0;
 
 }  // namespace
 
@@ -32,6 +35,7 @@ bool heapIsCounted() noexcept {
 
 HeapCount::HeapCount() noexcept {
   heldBytes = 0;
+  mostBytes = 0;
   isCounting = true;
 }
 
@@ -43,10 +47,30 @@ std::int64_t HeapCount::bytes() const noexcept {
   return heldBytes;
 }
 
+std::int64_t HeapCount::peakBytes() const noexcept {
+  return std::max(mostBytes.load(), heldBytes.load());
+}
+
 #ifdef PLANETREE_BENCH_COUNTS_HEAP
 namespace {
 
+void raiseMost(std::int64_t bytes) noexcept {
+  std::int64_t most = mostBytes.load(std::memory_order_relaxed);
+  while (bytes > most && !mostBytes.compare_exchange_weak(most, bytes, std::memory_order_relaxed)) {
+  }
+}
+
+/// Raises the peak by what is held now: after memory is taken, and before any is given back, which
+/// ends the wait of what was just mapped.
 void add(std::int64_t bytes) noexcept {
+  if (!isCounting.load(std::memory_order_relaxed))
+    return;
+  const std::int64_t before = heldBytes.fetch_add(bytes, std::memory_order_relaxed);
+  raiseMost(std::max(before, before + bytes));
+}
+
+/// The same for memory that may be cut down, or that is what is cut off: not seen by the peak.
+void addUnseen(std::int64_t bytes) noexcept {
   if (isCounting.load(std::memory_order_relaxed))
     heldBytes.fetch_add(bytes, std::memory_order_relaxed);
 }
@@ -70,6 +94,24 @@ std::int64_t wholePages(std::size_t bytes) noexcept {
   static const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   return static_cast<std::int64_t>((bytes + page - 1) / page * page);
 }
+
+/// What this thread mapped last, as far as it is still there.
+struct Mapping {
+  std::uintptr_t begin = 0;
+  std::uintptr_t end = 0;
+
+  /// Whether the pages are one end of it, but not the whole, in which case they are cut off.
+  bool loses(std::uintptr_t from, std::uintptr_t to) noexcept {
+    if (from == begin && to < end)
+      begin = to;
+    else if (to == end && from > begin)
+      end = from;
+    else
+      return false;
+    return true;
+  }
+};
+thread_local constinit Mapping lastMapping;
 
 }  // namespace
 #endif
@@ -139,8 +181,12 @@ PLANETREE_BENCH_HOOK int posix_memalign(void** block, std::size_t alignment,
 PLANETREE_BENCH_HOOK void* mmap(void* address, std::size_t size, int protection, int flags,
                                 int file, off_t offset) noexcept {
   const long result = ::syscall(SYS_mmap, address, size, protection, flags, file, offset);
-  if (result != -1 && (flags & MAP_ANONYMOUS) != 0)
-    planetree::bench::add(planetree::bench::wholePages(size));
+  if (result != -1 && (flags & MAP_ANONYMOUS) != 0) {
+    const std::int64_t bytes = planetree::bench::wholePages(size);
+    const auto begin = static_cast<std::uintptr_t>(result);
+    planetree::bench::lastMapping = {begin, begin + static_cast<std::uintptr_t>(bytes)};
+    planetree::bench::addUnseen(bytes);
+  }
   return reinterpret_cast<void*>(result);
 }
 
@@ -152,8 +198,14 @@ PLANETREE_BENCH_HOOK void* mmap64(void* address, std::size_t size, int protectio
 
 PLANETREE_BENCH_HOOK int munmap(void* address, std::size_t size) noexcept {
   const long result = ::syscall(SYS_munmap, address, size);
-  if (result == 0)
-    planetree::bench::add(-planetree::bench::wholePages(size));
+  if (result == 0) {
+    const std::int64_t bytes = planetree::bench::wholePages(size);
+    const auto begin = reinterpret_cast<std::uintptr_t>(address);
+    if (planetree::bench::lastMapping.loses(begin, begin + static_cast<std::uintptr_t>(bytes)))
+      planetree::bench::addUnseen(-bytes);
+    else
+      planetree::bench::add(-bytes);
+  }
   return static_cast<int>(result);
 }
 

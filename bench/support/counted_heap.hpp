@@ -8,8 +8,8 @@
 /// and then do what they always did. Shared libraries are bound to them too, so all engines are
 /// counted by one hook, below their own allocators: a block counts with all its usable bytes, and
 /// memory mapped by a library's own allocator with whole pages, touched or not. Not seen are the
-/// stacks of threads, what glibc maps for its own use, `sbrk`, and `mremap`; no engine uses the
-/// last two.
+/// stacks of threads, what glibc maps for its own use, a block that `realloc` copies from while it
+/// copies, `sbrk`, and `mremap`; no engine uses the last two.
 namespace planetree::bench {
 
 /// Whether this program counts: not where sanitizers have hooks of their own.
@@ -27,6 +27,10 @@ class HeapCount {
   /// Bytes taken and not given back since construction, by all threads; below zero if more was
   /// given back.
   [[nodiscard]] std::int64_t bytes() const noexcept;
+
+  /// The most that `bytes` has been since construction, at least zero. Memory that is mapped to be
+  /// cut down to an aligned part of it counts only with this part: the rest was never there to use.
+  [[nodiscard]] std::int64_t peakBytes() const noexcept;
 };
 
 }  // namespace planetree::bench

@@ -81,9 +81,11 @@ void check(const BenchScene& scene, const RaySet& set, const std::vector<Checked
 void checkAll(const BenchScene& scene, const EngineList& engines, const MeasureSettings& settings) {
   if (settings.areAnswersChecked)
     return;
+  // First the rays: making them takes a tree, which a large scene has no room for beside the
+  // others.
+  const auto sets = makeRaySets(scene.objects(), scene.camera, settings.kinds, kCheckedRayCounts);
   const Structures structures = buildAll(scene, engines, settings.threadCount);
-  for (const RaySet& set :
-       makeRaySets(scene.objects(), scene.camera, settings.kinds, kCheckedRayCounts))
+  for (const RaySet& set : sets)
     check(scene, set, allAnswers(engines, structures, set, hardwareThreads()), settings);
 }
 
@@ -98,7 +100,8 @@ Result resultOf(const BenchScene& scene, const Engine& engine, std::string_view 
           .value = value,
           .isDefault = engine.isDefault(),
           .commit = commit(),
-          .compiler = compiler()};
+          .compiler = compiler(),
+          .objectCount = scene.objects().size()};
 }
 
 /// A ray through the middle of the scene, to be traced as the end of a build.
@@ -115,6 +118,54 @@ double buildSeconds(const BenchScene& scene, const Engine& engine, unsigned thre
     Hitf hit;
     structure->findIntersections(std::span(&ray, 1), std::span(&hit, 1));
   });
+}
+
+void prepareAll(const EngineList& engines, unsigned threadCount) {
+  for (const auto& engine : engines)
+    engine->prepare(threadCount);
+}
+
+void refuseIfHeapIsNotCounted() {
+  if (!heapIsCounted())
+    throw std::logic_error("this build does not count memory. Build without sanitizers.");
+}
+
+/// Results of a number of bytes that each engine takes, for each object of the scene.
+std::vector<Result> bytesPerObject(const BenchScene& scene, const EngineList& engines,
+                                   const MeasureSettings& settings, std::string_view measure,
+                                   double (*bytesOf)(const BenchScene&, const Engine&,
+                                                     unsigned threadCount)) {
+  refuseIfHeapIsNotCounted();
+  checkAll(scene, engines, settings);
+  prepareAll(engines, settings.threadCount);
+  const auto bytes = bestOfRounds(engines.size(), kMemoryRounds, [&](std::size_t i) {
+    return bytesOf(scene, *engines[i], settings.threadCount);
+  });
+  const auto objectCount = static_cast<double>(scene.objects().size());
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < engines.size(); ++i)
+    results.push_back(
+        resultOf(scene, *engines[i], measure, "", settings.threadCount, bytes[i] / objectCount));
+  return results;
+}
+
+/// Steps are the same however many threads make them: this one counts them.
+void addSteps(const BenchScene& scene, const Engine& engine, const RaySet& set,
+              const Structure& structure, unsigned threadCount, std::vector<Result>& results) {
+  const StepCounts steps = structure.countSteps(set.rays, asksForAnyHit(set.kind));
+  const auto rayCount = static_cast<double>(set.rays.size());
+  const auto nodes = static_cast<double>(steps.splitNodes + steps.leafNodes);
+  const auto objects = static_cast<double>(steps.objects);
+  results.push_back(resultOf(scene, engine, kNodeStepsPerRay, rayKindName(set.kind), threadCount,
+                             nodes / rayCount));
+  results.push_back(resultOf(scene, engine, kObjectTestsPerRay, rayKindName(set.kind), threadCount,
+                             objects / rayCount));
+}
+
+double peakBytes(const BenchScene& scene, const Engine& engine, unsigned threadCount) {
+  const HeapCount count;
+  const auto structure = engine.build(scene.objects(), threadCount);
+  return static_cast<double>(count.peakBytes());
 }
 
 double heldBytes(const BenchScene& scene, const Engine& engine, unsigned threadCount) {
@@ -160,6 +211,7 @@ std::vector<Result> measureRays(const BenchScene& scene, const EngineList& engin
 std::vector<Result> measureBuild(const BenchScene& scene, const EngineList& engines,
                                  const MeasureSettings& settings) {
   checkAll(scene, engines, settings);
+  prepareAll(engines, settings.threadCount);
   const auto seconds = bestOfRounds(engines.size(), settings.repetitions, [&](std::size_t i) {
     return buildSeconds(scene, *engines[i], settings.threadCount);
   });
@@ -172,17 +224,28 @@ std::vector<Result> measureBuild(const BenchScene& scene, const EngineList& engi
 
 std::vector<Result> measureMemory(const BenchScene& scene, const EngineList& engines,
                                   const MeasureSettings& settings) {
-  if (!heapIsCounted())
-    throw std::logic_error("this build does not count memory. Build without sanitizers.");
+  return bytesPerObject(scene, engines, settings, kBytesPerTriangle, &heldBytes);
+}
+
+std::vector<Result> measurePeak(const BenchScene& scene, const EngineList& engines,
+                                const MeasureSettings& settings) {
+  return bytesPerObject(scene, engines, settings, kPeakBytesPerTriangle, &peakBytes);
+}
+
+std::vector<Result> measureSteps(const BenchScene& scene, const EngineList& engines,
+                                 const MeasureSettings& settings) {
   checkAll(scene, engines, settings);
-  const auto bytes = bestOfRounds(engines.size(), kMemoryRounds, [&](std::size_t i) {
-    return heldBytes(scene, *engines[i], settings.threadCount);
-  });
-  const auto objectCount = static_cast<double>(scene.objects().size());
+  const auto sets = makeRaySets(scene.objects(), scene.camera, settings.kinds, settings.counts);
   std::vector<Result> results;
-  for (std::size_t i = 0; i < engines.size(); ++i)
-    results.push_back(resultOf(scene, *engines[i], kBytesPerTriangle, "", settings.threadCount,
-                               bytes[i] / objectCount));
+  for (const auto& engine : engines) {
+    if (!engine->countsSteps())
+      continue;
+    const auto structure = engine->build(scene.objects(), settings.buildThreadCount);
+    for (const RaySet& set : sets) {
+      if (!set.rays.empty())
+        addSteps(scene, *engine, set, *structure, settings.threadCount, results);
+    }
+  }
   return results;
 }
 

@@ -49,6 +49,17 @@ class WrongAnswers : public std::runtime_error {
 [[nodiscard]] std::vector<Result> measureBuild(const BenchScene& scene, const EngineList& engines,
                                                const MeasureSettings& settings);
 
+/// `peak_bytes_per_triangle`, or for each shape: the most memory held at a time while building, the
+/// finished structure included, but not the arrays that it is made from, which all read. The least
+/// of two builds. Throws `std::logic_error` where `heapIsCounted()` says no.
+[[nodiscard]] std::vector<Result> measurePeak(const BenchScene& scene, const EngineList& engines,
+                                              const MeasureSettings& settings);
+
+/// `node_steps_per_ray`, split nodes and leaves together, and `object_tests_per_ray` of each kind
+/// of rays, averages of all rays. Engines that do not count steps have no results.
+[[nodiscard]] std::vector<Result> measureSteps(const BenchScene& scene, const EngineList& engines,
+                                               const MeasureSettings& settings);
+
 /// `bytes_per_triangle`, or for each shape: the memory held by the finished structure, and the
 /// arrays of the mesh where queries read them. The least of two builds: the first also pays for
 /// what is set up once. Throws `std::logic_error` where `heapIsCounted()` says no.

@@ -12,11 +12,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json toObject(const Result& result) {
-  return {{"scene", result.scene},   {"measure", result.measure},
-          {"kind", result.kind},     {"engine", result.engine},
-          {"mode", result.mode},     {"threads", result.threadCount},
-          {"value", result.value},   {"default", result.isDefault},
-          {"commit", result.commit}, {"compiler", result.compiler}};
+  return {{"scene", result.scene},        {"measure", result.measure},
+          {"kind", result.kind},          {"engine", result.engine},
+          {"mode", result.mode},          {"threads", result.threadCount},
+          {"value", result.value},        {"default", result.isDefault},
+          {"commit", result.commit},      {"compiler", result.compiler},
+          {"objects", result.objectCount}};
 }
 
 Result fromObject(const Json& object) {
@@ -31,6 +32,8 @@ Result fromObject(const Json& object) {
   object.at("default").get_to(result.isDefault);
   object.at("commit").get_to(result.commit);
   object.at("compiler").get_to(result.compiler);
+  if (object.contains("objects"))
+    object.at("objects").get_to(result.objectCount);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,12 +10,15 @@ namespace planetree::bench {
 // The values of `Result::measure`.
 inline constexpr std::string_view kBuildSeconds = "build_seconds";
 inline constexpr std::string_view kBytesPerTriangle = "bytes_per_triangle";
+inline constexpr std::string_view kPeakBytesPerTriangle = "peak_bytes_per_triangle";
 inline constexpr std::string_view kMraysPerSecond = "mrays_per_second";
+inline constexpr std::string_view kNodeStepsPerRay = "node_steps_per_ray";
+inline constexpr std::string_view kObjectTestsPerRay = "object_tests_per_ray";
 
 /// One cell of the benchmark, as it stands in the JSON.
 struct Result {
   std::string scene;    ///< name of the file without folder and extension
-  std::string measure;  ///< one of the three above
+  std::string measure;  ///< one of those above
   std::string kind;     ///< of rays; empty where no rays are measured
   std::string engine;   ///< "planetree", "embree3", "cgal"
   std::string mode;     ///< "balanced-watertight", "high-robust"
@@ -23,6 +27,7 @@ struct Result {
   bool isDefault = false;  ///< what a user of the library gets without options
   std::string commit;      ///< of planetree
   std::string compiler;
+  std::uint64_t objectCount = 0;  ///< triangles or shapes of the scene; 0 if that is not known
 
   friend bool operator==(const Result&, const Result&) = default;
 };
@@ -33,10 +38,11 @@ struct Result {
 }
 
 /// A JSON array of objects with the keys scene, measure, kind, engine, mode, threads, value,
-/// default, commit and compiler, one object to a line.
+/// default, commit, compiler and objects, one object to a line.
 [[nodiscard]] std::string toJson(const std::vector<Result>& results);
 
-/// Throws `Error` with `MalformedFile`, naming `file`, for anything that `toJson` would not write.
+/// Throws `Error` with `MalformedFile`, naming `file`, for anything that `toJson` would not write,
+/// but for objects without the last key, which older files have not.
 [[nodiscard]] std::vector<Result> resultsFromJson(const std::string& json, const std::string& file);
 
 }  // namespace planetree::bench

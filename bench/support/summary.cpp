@@ -1,10 +1,11 @@
 #include "bench/support/summary.hpp"
 
+#include "bench/support/table.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace planetree::bench {
 
@@ -123,6 +124,12 @@ std::string measureTitle(const std::string& measure) {
     return "seconds to build, less is better";
   if (measure == kBytesPerTriangle)
     return "bytes per triangle, less is better";
+  if (measure == kPeakBytesPerTriangle)
+    return "most bytes per triangle held while building, less is better";
+  if (measure == kNodeStepsPerRay)
+    return "nodes visited per ray, less is better";
+  if (measure == kObjectTestsPerRay)
+    return "objects tested per ray, less is better";
   return measure;
 }
 
@@ -135,7 +142,7 @@ std::string ratioText(double ratio) {
 }
 
 std::string toText(const Summary& summary) {
-  // A column is as wide as its longest text: names above, cells below.
+  // Names above, cells below.
   std::vector<std::vector<std::string>> lines(2, {"", ""});
   for (const Summary::Column& column : summary.columns) {
     lines[0].push_back(column.engine);
@@ -152,21 +159,9 @@ std::string toText(const Summary& summary) {
       lines.back().push_back(mean ? ratioText(*mean) : "-");
   }
 
-  std::vector<std::size_t> widths(summary.columns.size() + 2, 0);
-  for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i)
-      widths[i] = std::max(widths[i], line[i].size());
-  }
-  std::string text = fmt::format("{}; {} {}\n", measureTitle(summary.measure), summary.threadCount,
-                                 summary.threadCount == 1 ? "thread" : "threads");
-  for (const auto& line : lines) {
-    fmt::format_to(std::back_inserter(text), "{:<{}}  {:<{}}", line[0], widths[0], line[1],
-                   widths[1]);
-    for (std::size_t i = 2; i < line.size(); ++i)
-      fmt::format_to(std::back_inserter(text), "  {:>{}}", line[i], widths[i]);
-    text += '\n';
-  }
-  return text;
+  return fmt::format("{}; {} {}\n", measureTitle(summary.measure), summary.threadCount,
+                     summary.threadCount == 1 ? "thread" : "threads") +
+         alignedLines(lines, 2);
 }
 
 }  // namespace planetree::bench

@@ -1,3 +1,4 @@
+#include "bench/support/counted_heap.hpp"
 #include "bench/support/result.hpp"
 #include "tests/cli/tool_run.hpp"
 
@@ -62,6 +63,35 @@ TEST_F(BenchCommand, RivalsTakesThreadsAndSingleModes) {
   EXPECT_EQ(resultsFromJson(result.out, "out").at(0).threadCount, 2u);
 }
 
+TEST_F(BenchCommand, RivalsMeasuresWithEachOfSeveralNumbersOfThreads) {
+  const auto result =
+      rivals({"--measure", "build", "--threads", "1,2,1", "--json", "b.json", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto results = resultsFromJson(readFile("b.json"), "b.json");
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].threadCount, 1u);
+  EXPECT_EQ(results[1].threadCount, 2u);
+}
+
+TEST_F(BenchCommand, RivalsCountsStepsAndPeaks) {
+  const auto result = rivals({"--measure", "steps", "--kinds", "ao", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "nodes visited per ray"));
+  EXPECT_TRUE(contains(result.out, "objects tested per ray"));
+  if (!heapIsCounted())
+    return;
+  const auto peak = rivals({"--measure", "peak", "waves.ply"});
+  EXPECT_EQ(peak.status, 0) << peak.err;
+  EXPECT_TRUE(contains(peak.out, "most bytes per triangle held while building"));
+}
+
+TEST_F(BenchCommand, StepsWantAnEngineThatCountsThem) {
+  const auto result = run({"rivals", "--measure", "steps", "--engines", "embree3", "waves.ply"});
+  // Without Embree in this build it fails for that.
+  EXPECT_TRUE(result.status == 2 || result.status == 1) << result.err;
+  EXPECT_TRUE(contains(result.err, "embree3") || contains(result.err, "count")) << result.err;
+}
+
 TEST_F(BenchCommand, RivalsTracesInDoubleOnlyWhereThatModeIsNamed) {
   const std::string inDouble = "planetree:balanced-watertight-float64";
   const auto result =
@@ -73,6 +103,17 @@ TEST_F(BenchCommand, RivalsTracesInDoubleOnlyWhereThatModeIsNamed) {
   EXPECT_EQ(results[1].mode, "balanced-watertight-float64");
   EXPECT_TRUE(results[0].isDefault);
   EXPECT_FALSE(results[1].isDefault);
+}
+
+TEST_F(BenchCommand, RivalsBuildsWithTheOtherPresetsOnlyWhereTheyAreNamed) {
+  const auto result = rivals({"--engines", "planetree:fast-watertight,planetree:high-watertight",
+                              "--kinds", "random", "--json", "-", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  std::vector<std::string> modes;
+  for (const Result& found : resultsFromJson(result.out, "out"))
+    modes.push_back(found.mode);
+  EXPECT_EQ(modes, (std::vector<std::string>{"balanced-watertight", "fast-watertight",
+                                             "high-watertight"}));
 }
 
 TEST_F(BenchCommand, WrongUsageEndsWithTwoAndAdvice) {
@@ -135,6 +176,14 @@ TEST_F(BenchCommand, AFileMayHaveTheNameOfASceneOfShapes) {
   const auto result = rivals({"--kinds", "random", "spheres.ply"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_TRUE(contains(result.err, "spheres: 3200 triangles"));
+}
+
+TEST_F(BenchCommand, RivalsMeasuresScenesOfAnySize) {
+  const auto result = rivals({"--measure", "build", "terrain-1k", "scatter-2k"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.err, "scatter-2k: 2136 triangles")) << result.err;
+  EXPECT_TRUE(contains(result.out, "nanoseconds to build for each triangle of terrain"));
+  EXPECT_EQ(rivals({"terrain-1g"}).status, 1) << "there is no file of that name";
 }
 
 TEST_F(BenchCommand, ShapesWantAnEngineThatTakesThem) {
@@ -206,6 +255,20 @@ TEST_F(BenchCommand, ReportRenewsThePageAndKeepsWhatIsWrittenByHand) {
   EXPECT_TRUE(contains(page, "Machine: a computer."));
   EXPECT_TRUE(contains(page, "](./mrays_per_second-random-1.svg)"));
   EXPECT_TRUE(contains(readFile("mrays_per_second-random-1.svg"), "</svg>"));
+}
+
+TEST_F(BenchCommand, ReportPutsSeveralFilesTogether) {
+  writeFile("page.md", "<!-- figures: begin -->\n<!-- figures: end -->\n");
+  ASSERT_EQ(rivals({"--kinds", "random", "--json", "rays.json", "waves.ply"}).status, 0);
+  ASSERT_EQ(rivals({"--measure", "build", "--threads", "1,2", "--json", "build.json", "waves.ply"})
+                .status,
+            0);
+  const auto result =
+      run({"report", "rays.json", "build.json", "--page", "page.md", "--plots", "."});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const std::string page = readFile("page.md");
+  EXPECT_TRUE(contains(page, "Million rays per second"));
+  EXPECT_TRUE(contains(page, "How many times faster 2 threads build than 1"));
 }
 
 TEST_F(BenchCommand, ReportRefusesWhatIsNoResult) {

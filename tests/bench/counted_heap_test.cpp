@@ -92,6 +92,58 @@ TEST_F(CountedHeap, SeesMappedMemoryInWholePages) {
   EXPECT_EQ(count.bytes(), 0);
 }
 
+/// Maps memory and gives back its two ends, as whoever wants an aligned part of it does.
+std::byte* mapAndCut(std::size_t mapped, std::size_t before, std::size_t after) {
+  void* const all =
+      ::mmap(nullptr, mapped, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  EXPECT_NE(all, MAP_FAILED);
+  auto* const begin = static_cast<std::byte*>(all);
+  EXPECT_EQ(::munmap(begin, before), 0);
+  EXPECT_EQ(::munmap(begin + mapped - after, after), 0);
+  return begin + before;
+}
+
+TEST_F(CountedHeap, ThePeakIsTheMostThatWasHeldAtATime) {
+  const HeapCount count;
+  EXPECT_EQ(count.peakBytes(), 0);
+  for (int i = 0; i < 3; ++i) {
+    void* const one = std::malloc(kSize);
+    use(one);
+    void* const two = std::malloc(kSize);
+    use(two);
+    std::free(one);
+    std::free(two);
+  }
+  EXPECT_EQ(count.bytes(), 0);
+  EXPECT_GE(count.peakBytes(), static_cast<std::int64_t>(2 * kSize));
+  EXPECT_LE(count.peakBytes(), static_cast<std::int64_t>(2 * kSize) + 2 * kRounding);
+  EXPECT_EQ(HeapCount().peakBytes(), 0) << "it begins anew each time";
+}
+
+TEST_F(CountedHeap, ThePeakHasMappedMemoryThatIsGivenBackAsAWhole) {
+  constexpr std::size_t kMapped = 1u << 20;
+  const HeapCount count;
+  EXPECT_EQ(::munmap(mapAndCut(2 * kMapped, kMapped / 2, kMapped / 2), kMapped), 0);
+  EXPECT_EQ(count.bytes(), 0);
+  EXPECT_EQ(count.peakBytes(), static_cast<std::int64_t>(kMapped));
+}
+
+TEST_F(CountedHeap, ThePeakIsWithoutWhatIsCutOffAtOnce) {
+  constexpr std::size_t kMapped = 1u << 20;
+  const HeapCount count;
+  std::byte* const kept = mapAndCut(2 * kMapped, kMapped / 4, 3 * kMapped / 4);
+  EXPECT_EQ(count.peakBytes(), static_cast<std::int64_t>(kMapped));
+  void* const block = std::malloc(kSize);
+  use(block);
+  EXPECT_LE(count.peakBytes(), static_cast<std::int64_t>(kMapped + kSize) + kRounding);
+  // Now it has been used, and cutting it down does not undo that.
+  EXPECT_EQ(::munmap(kept, kMapped / 2), 0);
+  EXPECT_GE(count.peakBytes(), static_cast<std::int64_t>(kMapped + kSize));
+  std::free(block);
+  EXPECT_EQ(::munmap(kept + kMapped / 2, kMapped / 2), 0);
+  EXPECT_EQ(count.bytes(), 0);
+}
+
 TEST_F(CountedHeap, SeesAllThreads) {
   // glibc gives a thread its stack from somewhere else, but the thread's arena is made on the heap.
   std::thread([] { std::free(std::malloc(kSize)); }).join();

@@ -5,11 +5,15 @@
 #include "bench_meshes.hpp"
 #include "broken_engines.hpp"
 
+#include <planetree/build_tree.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace planetree::bench {
@@ -62,6 +66,15 @@ TEST(Measure, RefusesAnEngineThatLiesBeforeItsMemoryIsCounted) {
   Recorded run;
   EXPECT_THROW(
       (void)measureMemory(test::ballScene(), test::besideBroken(missesEveryTenth()), run.settings),
+      WrongAnswers);
+}
+
+TEST(Measure, RefusesAnEngineThatLiesBeforeItsPeakIsCounted) {
+  if (!heapIsCounted())
+    GTEST_SKIP() << "this build does not count memory";
+  Recorded run;
+  EXPECT_THROW(
+      (void)measurePeak(test::ballScene(), test::besideBroken(missesEveryTenth()), run.settings),
       WrongAnswers);
 }
 
@@ -148,6 +161,74 @@ TEST(Measure, CountsTheMeshOnlyWhereQueriesReadIt) {
   const auto triangles = static_cast<double>(scene.mesh.faces.size());
   EXPECT_NEAR(results[0].value - results[1].value, meshBytes / triangles, 1.0);
   EXPECT_GT(results[1].value, 4.0) << "less than one reference for each triangle";
+}
+
+TEST(Measure, ThePeakIsWhatTheBuildHeldAtLeast) {
+  if (!heapIsCounted())
+    GTEST_SKIP() << "this build does not count memory";
+  Recorded run;
+  const BenchScene scene = makeScene("waves", test::waves());
+  // The broken engine says that it does not read the mesh, which the peak has nothing to do with.
+  const EngineList engines = test::besideBroken({});
+  const auto held = measureMemory(scene, engines, run.settings);
+  const auto peaks = measurePeak(scene, engines, run.settings);
+  ASSERT_EQ(peaks.size(), 2u);
+  EXPECT_EQ(peaks[0].measure, "peak_bytes_per_triangle");
+  EXPECT_EQ(peaks[0].kind, "");
+  EXPECT_EQ(peaks[0].objectCount, scene.mesh.faces.size());
+  EXPECT_GT(peaks[1].value, held[1].value);
+  const double onePage = 4096.0 / static_cast<double>(scene.mesh.faces.size());
+  EXPECT_NEAR(peaks[0].value, peaks[1].value, onePage);
+}
+
+TEST(Measure, ThePeakIsAboutWhatTheLibraryItselfReports) {
+  if (!heapIsCounted())
+    GTEST_SKIP() << "this build does not count memory";
+  Recorded run;
+  TriangleMesh<float> mesh;
+  addSurface(mesh, 200, 200, [](double u, double v) { return Vec3d{u, std::sin(9.0 * u * v), v}; });
+  const BenchScene scene = makeScene("surface", std::move(mesh));
+  const auto tree = buildTree(scene.mesh.view(), BuildOptions{.threadCount = 1});
+  const double reported =
+      static_cast<double>(tree.report().peakBytes) / static_cast<double>(scene.mesh.faces.size());
+  const auto peaks = measurePeak(scene, planetreeEngines(), run.settings);
+  // The library does not count small things.
+  EXPECT_GT(peaks.front().value, 0.9 * reported);
+  EXPECT_LT(peaks.front().value, 1.1 * reported);
+}
+
+TEST(Measure, CountsTheStepsOfThoseThatCount) {
+  Recorded run;
+  // The broken engine does not count.
+  const BenchScene scene = test::ballScene();
+  const auto results = measureSteps(scene, test::besideBroken({}), run.settings);
+  // Nothing occludes anything outside of a ball, but the rays are there.
+  ASSERT_EQ(results.size(), 8u);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    EXPECT_EQ(results[i].engine, "planetree");
+    EXPECT_EQ(results[i].measure, i % 2 == 0 ? "node_steps_per_ray" : "object_tests_per_ray");
+    EXPECT_EQ(results[i].kind, rayKindName(kRayKinds[i / 2]));
+    EXPECT_GT(results[i].value, 0.0);
+    EXPECT_LT(results[i].value, static_cast<double>(scene.mesh.faces.size()));
+  }
+}
+
+TEST(Measure, StepsAreThoseThatTheTreeCounts) {
+  Recorded run;
+  run.settings.kinds = {RayKind::AmbientOcclusion};
+  const BenchScene scene = makeScene("waves", test::waves());
+  const auto results = measureSteps(scene, planetreeEngines(), run.settings);
+  ASSERT_EQ(results.size(), 2u);
+  const auto tree = buildTree(scene.mesh.view());
+  const auto sets =
+      makeRaySets(scene.objects(), scene.camera, run.settings.kinds, run.settings.counts);
+  StepCounts steps;
+  for (const Rayf& ray : sets.front().rays)
+    (void)tree.isOccluded(ray, steps);
+  const auto rayCount = static_cast<double>(sets.front().rays.size());
+  EXPECT_DOUBLE_EQ(results[0].value,
+                   static_cast<double>(steps.splitNodes + steps.leafNodes) / rayCount);
+  EXPECT_DOUBLE_EQ(results[1].value, static_cast<double>(steps.objects) / rayCount);
 }
 
 TEST(Measure, SaysWhyAKindHasNoRays) {

@@ -70,6 +70,30 @@ TEST(PerformanceFigures, PlotTheBestQualityOfARivalOnceForEachVariant) {
   EXPECT_FALSE(contains(plot.svg, ">3.00<"));
 }
 
+TEST(PerformanceFigures, HaveStepsInTablesOnly) {
+  std::vector<Result> results = someResults();
+  results.push_back(
+      {"a", "node_steps_per_ray", "ao", "planetree", "balanced-watertight", 1, 20.5, true, "", ""});
+  const auto figures = performanceFigures(results, "", "plots");
+  EXPECT_TRUE(contains(figures.markdown, "### Nodes visited per ray, less is better (1 thread)"));
+  EXPECT_TRUE(contains(figures.markdown, "| a | ao | **20.5** |"));
+  EXPECT_EQ(figures.plots.size(), 3u);
+}
+
+TEST(PerformanceFigures, CompareAcrossThreadsAndSizes) {
+  std::vector<Result> results = someResults();
+  results.push_back(
+      {"a<b|c", "build_seconds", "", "planetree", "balanced-watertight", 2, 0.25, true, "", ""});
+  results.push_back({"terrain-10k", "build_seconds", "", "planetree", "balanced-watertight", 2, 0.1,
+                     true, "", "", 10'000});
+  const std::string text = performanceFigures(results, "", "plots").markdown;
+  EXPECT_TRUE(contains(text, "### How many times better the presets are"));
+  EXPECT_TRUE(contains(text, "### How many times faster 2 threads build than 1\n"));
+  EXPECT_TRUE(contains(text, "| a<b\\|c | 2.0x |"));
+  EXPECT_TRUE(contains(text, "### Nanoseconds to build for each triangle of terrain"));
+  EXPECT_FALSE(contains(text, "| terrain-10k |")) << "it is only in the table of sizes";
+}
+
 TEST(WithFigures, ReplacesOnlyWhatIsBetweenTheMarks) {
   const std::string page = "before\n<!-- figures: begin -->\nold\n<!-- figures: end -->\nafter\n";
   const std::string once = withFigures(page, "new\n", "page.md");
@@ -102,6 +126,14 @@ TEST(BarChart, IsWellFormedWhateverTheNames) {
   // Background, two keys, and three bars: what is unknown has none.
   EXPECT_EQ(occurrences(svg, "<rect"), 6u);
   EXPECT_FALSE(contains(svg, "nan"));
+}
+
+TEST(BarChart, KeysTakeAsManyLinesAsTheyNeed) {
+  BarChart chart = {.title = "", .series = {"short", "names"}, .groups = {{"a", {1.0, 1.0}}}};
+  EXPECT_EQ(occurrences(toSvg(chart), "y=\"46\""), 2u);
+  chart.series = {std::string(60, 'x'), std::string(60, 'y')};
+  EXPECT_EQ(occurrences(toSvg(chart), "y=\"46\""), 1u);
+  EXPECT_EQ(occurrences(toSvg(chart), "y=\"62\""), 1u);
 }
 
 TEST(BarChart, LongestBarIsThatOfTheGroupOrOfAll) {

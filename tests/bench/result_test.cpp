@@ -19,13 +19,23 @@ const Result kResult = {.scene = "bunny",
                         .value = 4.125,
                         .isDefault = false,
                         .commit = "0123456789",
-                        .compiler = "g++ 12.2.0"};
+                        .compiler = "g++ 12.2.0",
+                        .objectCount = 69451};
 
 TEST(ResultJson, HasTheDocumentedKeys) {
   EXPECT_EQ(toJson({kResult}),
             "[\n  {\"scene\":\"bunny\",\"measure\":\"mrays_per_second\",\"kind\":\"ao\","
             "\"engine\":\"embree3\",\"mode\":\"high-robust\",\"threads\":2,\"value\":4.125,"
-            "\"default\":false,\"commit\":\"0123456789\",\"compiler\":\"g++ 12.2.0\"}\n]\n");
+            "\"default\":false,\"commit\":\"0123456789\",\"compiler\":\"g++ "
+            "12.2.0\",\"objects\":69451}\n]\n");
+}
+
+TEST(ResultJson, OlderFilesDoNotTellHowManyObjectsThereAre) {
+  std::string json = toJson({kResult});
+  json.replace(json.find(",\"objects\":69451"), 16, "");
+  Result older = kResult;
+  older.objectCount = 0;
+  EXPECT_EQ(resultsFromJson(json, "file"), std::vector<Result>{older});
 }
 
 TEST(ResultJson, ComesBackAsItWas) {

@@ -24,7 +24,7 @@ struct NamedScene {
   std::size_t most;
 };
 
-const NamedScene kScenes[] = {{"terrain", &makeTerrain, 2'000'000, 2'200'000},
+const NamedScene kScenes[] = {{"terrain", [] { return makeTerrain(); }, 2'000'000, 2'200'000},
                               {"foliage", &makeFoliage, 500'000, 800'000},
                               {"interior", &makeInterior, 300'000, 800'000}};
 

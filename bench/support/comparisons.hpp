@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bench/support/result.hpp"
+#include "bench/support/table.hpp"
+
+#include <vector>
+
+namespace planetree::bench {
+
+/// What results say when they are looked at across columns, threads and scenes. Tables for which
+/// nothing was measured are left out:
+///
+/// - each preset of planetree beside the quality of Embree that is its counterpart, for each
+///   measure: the geometric mean, over scenes and kinds of rays, of how many times better planetree
+///   is;
+/// - for builds with one thread and with more: how many times faster more threads are, for each
+///   scene;
+/// - for builds of `sizedSceneName` scenes: the time for each triangle, and how it grows beside the
+///   logarithm of their number, which is what sorting costs.
+[[nodiscard]] std::vector<Table> comparisons(const std::vector<Result>& results);
+
+}  // namespace planetree::bench

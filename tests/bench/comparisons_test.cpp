@@ -1,0 +1,115 @@
+#include "bench/support/comparisons.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace planetree::bench {
+namespace {
+
+struct Cell {
+  std::string scene;
+  std::string engine;
+  std::string mode;
+  double value = 0.0;
+  unsigned threadCount = 2;
+  std::string measure = "build_seconds";
+  std::uint64_t objectCount = 0;
+};
+
+std::vector<Result> resultsOf(const std::vector<Cell>& cells) {
+  std::vector<Result> results;
+  for (const Cell& cell : cells) {
+    results.push_back({.scene = cell.scene,
+                       .measure = cell.measure,
+                       .kind = "",
+                       .engine = cell.engine,
+                       .mode = cell.mode,
+                       .threadCount = cell.threadCount,
+                       .value = cell.value,
+                       .isDefault = cell.mode == "balanced-watertight",
+                       .commit = "",
+                       .compiler = "",
+                       .objectCount = cell.objectCount});
+  }
+  return results;
+}
+
+using Row = std::vector<std::string>;
+
+TEST(Comparisons, PutEachPresetBesideItsCounterpart) {
+  const auto tables = comparisons(resultsOf({{"a", "planetree", "balanced-watertight", 1.0},
+                                             {"a", "planetree", "fast-watertight", 0.5},
+                                             {"a", "embree3", "medium", 0.25},
+                                             {"a", "embree3", "high", 2.0},
+                                             {"b", "planetree", "balanced-watertight", 1.0},
+                                             {"b", "planetree", "fast-watertight", 0.5},
+                                             {"b", "embree3", "medium", 1.0},
+                                             {"b", "embree3", "high", 8.0}}));
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].header, (Row{"measure", "fast / embree3 medium", "balanced / embree3 high",
+                                   "high / embree3 high"}));
+  ASSERT_EQ(tables[0].rows.size(), 1u);
+  EXPECT_EQ(tables[0].rows[0],
+            (Row{"seconds to build, less is better (2 threads)", "1.0x", "4.0x", "-"}));
+}
+
+TEST(Comparisons, MoreRaysAreBetter) {
+  const auto tables =
+      comparisons(resultsOf({{"a", "planetree", "high-watertight", 6.0, 1, "mrays_per_second"},
+                             {"a", "embree3", "high", 3.0, 1, "mrays_per_second"}}));
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].rows[0].back(), "2.0x");
+}
+
+TEST(Comparisons, TellHowMuchFasterMoreThreadsAre) {
+  const auto tables =
+      comparisons(resultsOf({{"a", "planetree", "balanced-watertight", 2.0, 1},
+                             {"a", "planetree", "fast-watertight", 1.5, 1},
+                             {"b", "planetree", "balanced-watertight", 8.0, 1},
+                             {"only-one", "planetree", "fast-watertight", 1.0, 1},
+                             {"a", "planetree", "balanced-watertight", 1.0, 2},
+                             {"a", "planetree", "fast-watertight", 1.0, 2},
+                             {"b", "planetree", "balanced-watertight", 2.0, 2},
+                             {"only-two", "planetree", "fast-watertight", 1.0, 2}}));
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].title, "how many times faster 2 threads build than 1");
+  EXPECT_EQ(tables[0].header,
+            (Row{"scene", "planetree balanced-watertight", "planetree fast-watertight"}));
+  EXPECT_EQ(tables[0].rows,
+            (std::vector<Row>{
+                {"a", "2.0x", "1.5x"}, {"b", "4.0x", "-"}, {"geometric mean", "2.8x", "1.5x"}}));
+}
+
+TEST(Comparisons, TellWhatATriangleCostsInScenesOfEachSize) {
+  const auto tables = comparisons(resultsOf(
+      {{"terrain-1m", "planetree", "balanced-watertight", 0.3, 2, "build_seconds", 1'000'000},
+       {"bunny", "planetree", "balanced-watertight", 0.3, 2, "build_seconds", 69'451},
+       {"terrain-1k", "planetree", "balanced-watertight", 1e-4, 2, "build_seconds", 1'000},
+       {"terrain-1k", "planetree", "balanced-watertight", 5.0, 2, "peak_bytes_per_triangle", 1'000},
+       {"scatter-2k", "planetree", "balanced-watertight", 1e-3, 2}}));
+  ASSERT_EQ(tables.size(), 2u);
+  EXPECT_NE(tables[0].title.find("scatter"), std::string::npos);
+  EXPECT_EQ(tables[0].rows, (std::vector<Row>{{"2000", "1.0x", "500 (1.0x)"}}))
+      << "by its name, where the results do not say how many triangles there are";
+  EXPECT_NE(tables[1].title.find("terrain"), std::string::npos);
+  EXPECT_EQ(tables[1].header, (Row{"triangles", "log N", "planetree balanced-watertight"}));
+  EXPECT_EQ(tables[1].rows,
+            (std::vector<Row>{{"1000", "1.0x", "100 (1.0x)"}, {"1000000", "2.0x", "300 (3.0x)"}}));
+}
+
+TEST(Comparisons, AreNoneWhereThereIsNothingToCompare) {
+  EXPECT_TRUE(comparisons({}).empty());
+  EXPECT_TRUE(comparisons(resultsOf({{"a", "planetree", "balanced-watertight", 1.0}})).empty());
+}
+
+TEST(Table, IsAlignedInTextAndEscapedInMarkdown) {
+  const Table table = {.title = "title", .header = {"a", "b"}, .rows = {{"left|", "1"}}};
+  EXPECT_EQ(toText(table), "title\na      b\nleft|  1\n");
+  EXPECT_EQ(toMarkdown(table), "| a | b |\n| --- | ---: |\n| left\\| | 1 |\n");
+}
+
+}  // namespace
+}  // namespace planetree::bench
