@@ -14,7 +14,7 @@ namespace {
 
 /// Cells with more references than this are divided in any case: to divide them as leaves would
 /// take long, and hardly ever pay.
-constexpr std::size_t kMostReferences = 1000;
+constexpr std::size_t kMostReferences = 240;
 
 /// Copies a subtree from the leaves upward, and looks at each split when both its sides are done.
 class Retractor {
@@ -57,16 +57,21 @@ class Retractor {
   /// Makes a finished split a leaf if that pays.
   void retract(std::size_t split, std::size_t firstReference, std::size_t firstPart) {
     gatherObjects(firstReference);
-    const float cost = plans_[firstPart].cost[1];
     const std::size_t end = parts_.size();
-    if (!addParts(objects_, boxes_))
+    const bool pays =
+        addParts(objects_, boxes_) && plans_[end].cost[1] <= plans_[firstPart].cost[1];
+    if (!pays)
       return dropFrom(end);
-    if (!(plans_[end].cost[1] <= cost))
-      return dropFrom(end);
-    dropFrom(firstPart);
+    for (Part& part : std::span(parts_).subspan(end)) {
+      if (part.isSplit())
+        part.right -= static_cast<std::uint32_t>(end - firstPart);
+    }
+    const auto oldBegin = static_cast<std::ptrdiff_t>(firstPart);
+    const auto oldEnd = static_cast<std::ptrdiff_t>(end);
+    parts_.erase(parts_.begin() + oldBegin, parts_.begin() + oldEnd);
+    plans_.erase(plans_.begin() + oldBegin, plans_.begin() + oldEnd);
     copy_.removeFrom(split, firstReference);
     addLeaf(objects_, boxes_);
-    addParts(objects_, boxes_);
   }
 
   /// The objects of all references from the first one on, each once, with all that they have in
@@ -116,6 +121,7 @@ class Retractor {
     parts_.resize(part);
     plans_.resize(part);
   }
+
 
   const NodeArray& tree_;
   LeafDivider divider_;
