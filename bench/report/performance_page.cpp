@@ -157,7 +157,7 @@ std::string sectionTitle(const Summary& summary) {
 
 /// Steps are few numbers that say little in a picture.
 bool isPlotted(const Summary& summary) {
-  return summary.measure != kNodeStepsPerRay && summary.measure != kObjectTestsPerRay;
+  return summary.measure != kNodeStepsPerRay && summary.measure != kBlockStepsPerRay;
 }
 
 /// All but the builds that have a table of their own, which shows how they grow with the scene.

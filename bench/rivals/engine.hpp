@@ -5,7 +5,6 @@
 
 #include <planetree/geometry/ray.hpp>
 #include <planetree/hit/hit.hpp>
-#include <planetree/traversal/step_counts.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -20,6 +19,12 @@
 /// library of headers only, by a function that is not inlined. Shapes are bounded and tested by
 /// planetree's own code for all of them.
 namespace planetree::bench {
+
+/// How far queries went through a structure.
+struct Steps {
+  std::uint64_t nodes = 0;   ///< nodes visited
+  std::uint64_t blocks = 0;  ///< blocks of triangles tested
+};
 
 /// What a library has made of a mesh or of shapes. Its queries may be called from several threads
 /// at once.
@@ -40,8 +45,7 @@ class Structure {
 
   /// The work of looking for the nearest hit of each ray, or for any; nothing is counted if the
   /// engine says that it does not count.
-  [[nodiscard]] virtual StepCounts countSteps(std::span<const Rayf> /*rays*/,
-                                              bool /*forAnyHit*/) const {
+  [[nodiscard]] virtual Steps countSteps(std::span<const Rayf> /*rays*/, bool /*forAnyHit*/) const {
     return {};
   }
 };

@@ -2,6 +2,8 @@
 
 #include <planetree/build_tree.hpp>
 
+#include "traversal/count_wide_steps.hpp"
+
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -27,15 +29,15 @@ class PlanetreeStructure final : public Structure {
       occluded[i] = tree_.isOccluded(rayIn<T>(rays[i])) ? 1 : 0;
   }
 
-  [[nodiscard]] StepCounts countSteps(std::span<const Rayf> rays, bool forAnyHit) const override {
-    StepCounts steps;
-    for (const Rayf& ray : rays) {
-      if (forAnyHit)
-        static_cast<void>(tree_.isOccluded(rayIn<T>(ray), steps));
-      else
-        static_cast<void>(tree_.findIntersection(rayIn<T>(ray), steps));
+  [[nodiscard]] Steps countSteps(std::span<const Rayf> rays, bool forAnyHit) const override {
+    detail::WideSteps steps;
+    if constexpr (std::is_same_v<T, float>) {
+      for (const Rayf& ray : rays) {
+        (forAnyHit ? detail::countStepsToAny : detail::countStepsToNearest)(tree_.view(), ray,
+                                                                            steps);
+      }
     }
-    return steps;
+    return {.nodes = steps.nodes, .blocks = steps.blocks};
   }
 
  private:
@@ -65,7 +67,7 @@ class PlanetreeEngine final : public Engine {
   [[nodiscard]] bool queriesReadMesh() const override { return kIsFloat; }
   /// The shapes of scenes are in float.
   [[nodiscard]] bool takesShapes() const override { return kIsFloat; }
-  [[nodiscard]] bool countsSteps() const override { return true; }
+  [[nodiscard]] bool countsSteps() const override { return std::is_same_v<T, float>; }
 
   [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                  unsigned threadCount) const override {

@@ -152,14 +152,14 @@ std::vector<Result> bytesPerObject(const BenchScene& scene, const EngineList& en
 /// Steps are the same however many threads make them: this one counts them.
 void addSteps(const BenchScene& scene, const Engine& engine, const RaySet& set,
               const Structure& structure, unsigned threadCount, std::vector<Result>& results) {
-  const StepCounts steps = structure.countSteps(set.rays, asksForAnyHit(set.kind));
+  const Steps steps = structure.countSteps(set.rays, asksForAnyHit(set.kind));
   const auto rayCount = static_cast<double>(set.rays.size());
-  const auto nodes = static_cast<double>(steps.splitNodes + steps.leafNodes);
-  const auto objects = static_cast<double>(steps.objects);
+  const auto nodes = static_cast<double>(steps.nodes);
+  const auto blocks = static_cast<double>(steps.blocks);
   results.push_back(resultOf(scene, engine, kNodeStepsPerRay, rayKindName(set.kind), threadCount,
                              nodes / rayCount));
-  results.push_back(resultOf(scene, engine, kObjectTestsPerRay, rayKindName(set.kind), threadCount,
-                             objects / rayCount));
+  results.push_back(resultOf(scene, engine, kBlockStepsPerRay, rayKindName(set.kind), threadCount,
+                             blocks / rayCount));
 }
 
 double peakBytes(const BenchScene& scene, const Engine& engine, unsigned threadCount) {

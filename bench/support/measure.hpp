@@ -55,7 +55,7 @@ class WrongAnswers : public std::runtime_error {
 [[nodiscard]] std::vector<Result> measurePeak(const BenchScene& scene, const EngineList& engines,
                                               const MeasureSettings& settings);
 
-/// `node_steps_per_ray`, split nodes and leaves together, and `object_tests_per_ray` of each kind
+/// `node_steps_per_ray` and `block_steps_per_ray`, both of the wide form, of each kind
 /// of rays, averages of all rays. Engines that do not count steps have no results.
 [[nodiscard]] std::vector<Result> measureSteps(const BenchScene& scene, const EngineList& engines,
                                                const MeasureSettings& settings);

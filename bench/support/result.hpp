@@ -13,7 +13,7 @@ inline constexpr std::string_view kBytesPerTriangle = "bytes_per_triangle";
 inline constexpr std::string_view kPeakBytesPerTriangle = "peak_bytes_per_triangle";
 inline constexpr std::string_view kMraysPerSecond = "mrays_per_second";
 inline constexpr std::string_view kNodeStepsPerRay = "node_steps_per_ray";
-inline constexpr std::string_view kObjectTestsPerRay = "object_tests_per_ray";
+inline constexpr std::string_view kBlockStepsPerRay = "block_steps_per_ray";
 
 /// One cell of the benchmark, as it stands in the JSON.
 struct Result {

@@ -128,8 +128,8 @@ std::string measureTitle(const std::string& measure) {
     return "most bytes per triangle held while building, less is better";
   if (measure == kNodeStepsPerRay)
     return "nodes visited per ray, less is better";
-  if (measure == kObjectTestsPerRay)
-    return "objects tested per ray, less is better";
+  if (measure == kBlockStepsPerRay)
+    return "blocks tested per ray, less is better";
   return measure;
 }
 

@@ -7,6 +7,7 @@ namespace planetree::detail {
 
 struct EndCounting;
 struct WideQuery;
+struct WideSteps;
 
 /// The loops that are compiled for each instruction set. All of them give the same bits.
 struct Kernels {
@@ -20,6 +21,9 @@ struct Kernels {
   /// triangles that the ray may hit, and keeps the hit.
   bool (*handOverForNearest)(WideQuery& query) noexcept;
   bool (*handOverForAny)(WideQuery& query) noexcept;
+  /// `findNearest` and `findAny` with the steps they take, which are added.
+  bool (*countNearest)(WideQuery& query, WideSteps& steps) noexcept;
+  bool (*countAny)(WideQuery& query, WideSteps& steps) noexcept;
   /// Counts the ends of boxes by bins.
   void (*countEnds)(const EndCounting& counting) noexcept;
 };

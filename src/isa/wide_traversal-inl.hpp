@@ -610,6 +610,10 @@ struct Progress {
   std::uint32_t restCount = 0;           ///< blocks behind it, still to be tested
   WideChild object = {};
 
+  // For goals that count.
+  std::uint64_t nodeSteps;
+  std::uint64_t blockSteps;
+
   HWY_INLINE void push(float tNear, WideChild child) {
     stack.tNear[size] = tNear;
     stack.children[size++] = child.word();
@@ -634,6 +638,8 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
   while (true) {
     for (; restCount > 0; --restCount) {
       ++block;
+      if constexpr (Goal::kCounts)
+        ++progress.blockSteps;
       const auto answer = blockRay.test<Goal>(*block, progress.sheared);
       if (Goal::kStopsAtAnyHit && answer.certain != 0)
         return Pause::Hit;
@@ -654,6 +660,8 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
       if (isLarge)
         prefetchNext(nodes, query.octant, WideChild::fromWord(below));
       const WideNode& node = nodes[child.nodeIndex()];
+      if constexpr (Goal::kCounts)
+        ++progress.nodeSteps;
       BoxTest test;
       boxRay.test(node, tMax, test);
       child = WideChild::fromWord(
@@ -680,13 +688,12 @@ HWY_INLINE void scaleDepths(WideQuery& query) {
 }
 
 template <class Goal>
-bool search(WideQuery& query) noexcept {
+HWY_INLINE bool search(WideQuery& query, Progress& progress) {
   if (query.ray != nullptr && !prepareRay(query)) {
     query.isOutOfRange = true;
     return false;
   }
   scaleDepths(query);
-  Progress progress;
   progress.push(-std::numeric_limits<float>::infinity(), WideChild::end());
   progress.push(query.tMin, query.tree.root);
   while (true) {
@@ -711,21 +718,48 @@ bool search(WideQuery& query) noexcept {
   }
 }
 
+template <class Goal>
+bool search(WideQuery& query) noexcept {
+  Progress progress;
+  return search<Goal>(query, progress);
+}
+
+template <class Goal>
+bool count(WideQuery& query, WideSteps& steps) noexcept {
+  Progress progress;
+  progress.nodeSteps = 0;
+  progress.blockSteps = 0;
+  const bool found = search<Goal>(query, progress);
+  steps.nodes += progress.nodeSteps;
+  steps.blocks += progress.blockSteps;
+  return found;
+}
+
 struct Nearest {
   static constexpr bool kStopsAtAnyHit = false;
   static constexpr bool kHandsOver = false;  ///< whether `WideTests::testCandidates` decides
+  static constexpr bool kCounts = false;     ///< whether steps are counted
 };
 struct Any {
   static constexpr bool kStopsAtAnyHit = true;
   static constexpr bool kHandsOver = false;
+  static constexpr bool kCounts = false;
+};
+struct NearestCounted : Nearest {
+  static constexpr bool kCounts = true;
+};
+struct AnyCounted : Any {
+  static constexpr bool kCounts = true;
 };
 struct NearestHandedOver {
   static constexpr bool kStopsAtAnyHit = false;
   static constexpr bool kHandsOver = true;
+  static constexpr bool kCounts = false;
 };
 struct AnyHandedOver {
   static constexpr bool kStopsAtAnyHit = true;
   static constexpr bool kHandsOver = true;
+  static constexpr bool kCounts = false;
 };
 
 constexpr Kernels kernelsNamed(std::string_view name) {
@@ -734,6 +768,8 @@ constexpr Kernels kernelsNamed(std::string_view name) {
           .findAny = search<Any>,
           .handOverForNearest = search<NearestHandedOver>,
           .handOverForAny = search<AnyHandedOver>,
+          .countNearest = count<NearestCounted>,
+          .countAny = count<AnyCounted>,
           .countEnds = countEnds};
 }
 

@@ -122,7 +122,6 @@ class Retractor {
     plans_.resize(part);
   }
 
-
   const NodeArray& tree_;
   LeafDivider divider_;
   LeafPacker& packer_;

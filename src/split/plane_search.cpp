@@ -16,6 +16,7 @@ namespace {
 // From here on several threads look at the references of one cell.
 constexpr std::size_t kParallelThreshold = 1u << 16u;
 constexpr std::size_t kGrainSize = 1u << 14u;
+constexpr std::size_t kPieceSize = 1u << 10u;
 
 // Costs of bins are computed in another order than those of planes. What rounding makes of that is
 // far below this part of them.
@@ -295,23 +296,27 @@ void PlaneSearch::gatherInto(Events& events, std::span<const Reference> referenc
                      [](bool open) { return open; })) {
       continue;
     }
-    // One more than there are events, since each is written before it is known to be one.
+    // Few of the ends of large cells are events: there is room for all ends of one piece.
     EventList& list = events[a];
-    list.room.resize(std::max(list.room.size(), list.count + 2 * references.size() + 1));
-    Event* end = list.room.data() + list.count;
-    for (const Reference& reference : references) {
-      const float lower = reference.bounds.lower[axis];
-      const float upper = reference.bounds.upper[axis];
-      const bool isPlanar = lower == upper;
-      const EventKind lowerKind = !isPlanar                     ? EventKind::LowerEnd
-                                  : reference.belongsLeft(axis) ? EventKind::LeftPlanar
-                                                                : EventKind::RightPlanar;
-      *end = eventOf(lower, lowerKind);
-      end += isOpen[scale.binOf(axis, lower)] ? 1 : 0;
-      *end = eventOf(upper, EventKind::UpperEnd);
-      end += !isPlanar && isOpen[scale.binOf(axis, upper)] ? 1 : 0;
+    for (std::size_t begin = 0; begin < references.size(); begin += kPieceSize) {
+      const auto piece = references.subspan(begin, std::min(kPieceSize, references.size() - begin));
+      // One more than there are ends, since each is written before it is known to be an event.
+      list.room.resize(std::max(list.room.size(), list.count + 2 * piece.size() + 1));
+      Event* end = list.room.data() + list.count;
+      for (const Reference& reference : piece) {
+        const float lower = reference.bounds.lower[axis];
+        const float upper = reference.bounds.upper[axis];
+        const bool isPlanar = lower == upper;
+        const EventKind lowerKind = !isPlanar                     ? EventKind::LowerEnd
+                                    : reference.belongsLeft(axis) ? EventKind::LeftPlanar
+                                                                  : EventKind::RightPlanar;
+        *end = eventOf(lower, lowerKind);
+        end += isOpen[scale.binOf(axis, lower)] ? 1 : 0;
+        *end = eventOf(upper, EventKind::UpperEnd);
+        end += !isPlanar && isOpen[scale.binOf(axis, upper)] ? 1 : 0;
+      }
+      list.count = static_cast<std::size_t>(end - list.room.data());
     }
-    list.count = static_cast<std::size_t>(end - list.room.data());
   }
 }
 

@@ -63,6 +63,11 @@ class WideSearch : public WideQuery {
     return true;
   }
 
+  /// The same for rays in float among all triangles, with the steps it takes.
+  [[nodiscard]] bool count(const Kernels& kernels, WideSteps& steps) noexcept {
+    return (Goal::kStopsAtAnyHit ? kernels.countAny : kernels.countNearest)(*this, steps);
+  }
+
  private:
   static constexpr WideTests kTests = {
       .testObject =

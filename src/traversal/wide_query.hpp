@@ -26,6 +26,12 @@ struct WideTests {
   bool (*testCandidates)(WideQuery& query, Candidates& candidates) noexcept;
 };
 
+/// How far queries went through the wide form.
+struct WideSteps {
+  std::uint64_t nodes = 0;   ///< nodes visited
+  std::uint64_t blocks = 0;  ///< blocks of triangles tested
+};
+
 /// A ray on its way through the wide form of a tree: all that a kernel reads, and what it found.
 /// Plain numbers and functions only, so that kernels share no code with the rest of the library.
 /// Most members have no value until the ray is prepared: to clear them would take as long.

@@ -77,7 +77,7 @@ TEST_F(BenchCommand, RivalsCountsStepsAndPeaks) {
   const auto result = rivals({"--measure", "steps", "--kinds", "ao", "waves.ply"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "nodes visited per ray"));
-  EXPECT_TRUE(contains(result.out, "objects tested per ray"));
+  EXPECT_TRUE(contains(result.out, "blocks tested per ray"));
   if (!heapIsCounted())
     return;
   const auto peak = rivals({"--measure", "peak", "waves.ply"});

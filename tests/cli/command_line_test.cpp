@@ -90,11 +90,11 @@ BuildOptions parsedTreeOptions(std::vector<std::string> arguments) {
 /// there does not compile here, until it is in the list and has an option.
 auto membersOf(const BuildOptions& options) {
   const auto& [leafSize, depthLimit, cost, stopsByCost, allowsEmptyCells, clipsReferences,
-               planarRule, exactPlanes, referencesPerObject, threadCount] = options;
+               planarRule, exactPlanes, retractsSplits, referencesPerObject, threadCount] = options;
   const auto& [traversalCost, intersectionCost, faceCost, emptyBonus] = cost;
   return std::tuple(leafSize, depthLimit, traversalCost, intersectionCost, faceCost, emptyBonus,
                     stopsByCost, allowsEmptyCells, clipsReferences, planarRule, exactPlanes,
-                    referencesPerObject);
+                    retractsSplits, referencesPerObject);
 }
 
 /// Triangles in all positions, large enough to cross each other.
@@ -154,12 +154,19 @@ TEST(TreeOptions, WithoutAnyAreThoseOfTheLibrary) {
 }
 
 const std::vector<std::vector<std::string>> kTreeFlags = {
-    {"--leaf-size", "20"},         {"--depth-limit", "3"},
-    {"--traversal-cost", "10"},    {"--intersection-cost", "9"},
-    {"--face-cost", "9"},          {"--empty-bonus", "0.9"},
-    {"--stops-by-cost", "off"},    {"--allows-empty-cells", "off"},
-    {"--clips-references", "off"}, {"--planar-rule", "normal-sign"},
-    {"--exact-planes", "off"},     {"--references-per-object", "1"},
+    {"--leaf-size", "20"},
+    {"--depth-limit", "3"},
+    {"--traversal-cost", "10"},
+    {"--intersection-cost", "9"},
+    {"--face-cost", "9"},
+    {"--empty-bonus", "0.9"},
+    {"--stops-by-cost", "off"},
+    {"--allows-empty-cells", "off"},
+    {"--clips-references", "off"},
+    {"--planar-rule", "normal-sign"},
+    {"--exact-planes", "off"},
+    {"--retracts-splits", "on"},
+    {"--references-per-object", "1"},
 };
 
 TEST(TreeOptions, EachChangesOneMemberAndTheTree) {

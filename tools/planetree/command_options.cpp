@@ -141,6 +141,11 @@ void addSplitOptions(CLI::App& app, TreeOptions& options) {
       "Find the cheapest of all planes, not only one near the cheapest edge of some bins")
       ->type_name("on|off");
   addTreeOption(
+      app, options, "--retracts-splits",
+      [](BuildOptions & build) -> auto& { return build.retractsSplits; }, parseSwitch,
+      "Take splits back that do not pay once all below them is built")
+      ->type_name("on|off");
+  addTreeOption(
       app, options, "--references-per-object",
       [](BuildOptions & build) -> auto& { return build.referencesPerObject; },
       wholeNumberFrom(0, kLargestCount),

@@ -44,6 +44,7 @@ class TreeArguments {
     addSwitch("--clips-references", options.clipsReferences, usual.clipsReferences);
     add("--planar-rule", planarRuleName(options.planarRule), planarRuleName(usual.planarRule));
     addSwitch("--exact-planes", options.exactPlanes, usual.exactPlanes);
+    addSwitch("--retracts-splits", options.retractsSplits, usual.retractsSplits);
     add("--references-per-object", options.referencesPerObject, usual.referencesPerObject);
     return text_;
   }
