@@ -18,7 +18,14 @@ inline std::vector<std::pair<std::string, BuildOptions>> buildVariants() {
   unclipped.clipsReferences = false;
   BuildOptions leaf;
   leaf.depthLimit = 1;
+  // Costs of faces that make small meshes worth a split.
+  BuildOptions fast = BuildOptions::fast();
+  fast.cost.faceCost = 0.5;
+  BuildOptions high = BuildOptions::high();
+  high.cost.faceCost = 0.5;
   return {{"defaults", BuildOptions{}},
+          {"fast", fast},
+          {"high", high},
           {"textbook", BuildOptions::textbook()},
           {"deep", deep},
           {"unclipped", unclipped},

@@ -162,10 +162,13 @@ std::vector<NamedOptions> clippingOptions() {
   normals.planarRule = PlanarRule::NormalSign;
   BuildOptions withoutEmptyCells = deep;
   withoutEmptyCells.allowsEmptyCells = false;
+  BuildOptions retracted = BuildOptions::high();
+  retracted.cost.faceCost = 1.0;
   return {{"defaults", {}},
           {"deep", deep},
           {"deep with normals", normals},
-          {"deep without empty cells", withoutEmptyCells}};
+          {"deep without empty cells", withoutEmptyCells},
+          {"retracted", retracted}};
 }
 
 std::vector<NamedOptions> boxOptions() {
@@ -175,7 +178,12 @@ std::vector<NamedOptions> boxOptions() {
   deep.leafSize = 1;
   deep.stopsByCost = false;
   deep.depthLimit = 9;
-  return {{"textbook", BuildOptions::textbook()}, {"whole boxes", whole}, {"deep boxes", deep}};
+  BuildOptions fast = BuildOptions::fast();
+  fast.cost.faceCost = 1.0;
+  return {{"textbook", BuildOptions::textbook()},
+          {"whole boxes", whole},
+          {"deep boxes", deep},
+          {"fast", fast}};
 }
 
 /// How far a cell is grown before faces are clipped to it, at most (clip_triangle.cpp).

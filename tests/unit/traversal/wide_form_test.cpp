@@ -42,8 +42,7 @@ TYPED_TEST(WideForm, AgreesBitForBitWithTheBinaryFormOnEveryInstructionSet) {
 /// All hits that the options accept, by one set of kernels; nothing if they leave the ray alone.
 template <class T>
 std::optional<std::vector<Hit<T>>> askForAll(const TreeView<T>& tree, const Ray<T>& ray,
-                                             const QueryOptions& options,
-                                             const Kernels& kernels) {
+                                             const QueryOptions& options, const Kernels& kernels) {
   std::vector<Hit<T>> hits(200);
   const HitChoices<T> choices{options, ray.direction};
   Request<T> request(tree, ray, ray.tMin, ray.tMax);
