@@ -7,10 +7,12 @@
 namespace planetree::detail {
 namespace {
 
-/// Boxes of objects are never empty, which `Box3::extend` would look for.
+/// Without a branch for boxes without anything in them: these are default-made, and change nothing.
 void extendBy(Box3& bounds, const Box3& box) noexcept {
-  bounds.extend(box.lower);
-  bounds.extend(box.upper);
+  for (const Axis axis : kAxes) {
+    bounds.lower[axis] = std::min(bounds.lower[axis], box.lower[axis]);
+    bounds.upper[axis] = std::max(bounds.upper[axis], box.upper[axis]);
+  }
 }
 
 double costOf(double area, std::uint32_t count, double perTest) noexcept {
