@@ -11,7 +11,7 @@ namespace {
 
 /// More objects than this are not sorted: to look at all positions would not pay.
 constexpr std::size_t kMostSwept = 4096;
-constexpr std::size_t kMostSweptOfBins = 24;
+constexpr std::size_t kMostSweptOfBins = 16;
 
 /// What a block holds on average of faces that share their corners.
 constexpr double kFacesPerBlock = 12.0;
