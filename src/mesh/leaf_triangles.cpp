@@ -19,7 +19,7 @@ std::array<std::uint32_t, 3> bitsOf(const Vec3f& position) noexcept {
 
 }  // namespace
 
-void LeafTriangles::clear() noexcept {
+void LeafTriangles::clear() {
   triangles_.clear();
   positions_.clear();
   usedIn_.clear();

@@ -16,7 +16,7 @@ namespace planetree::detail {
 /// position: 0 and -0 do not, as they would round to different zeros.
 class LeafTriangles {
  public:
-  void clear() noexcept;
+  void clear();
   /// `object` is the tree's number of the triangle.
   void add(const std::array<Vec3f, 3>& corners, std::uint32_t object);
 

@@ -1,6 +1,7 @@
 #include "node/plan_slots.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace planetree::detail {
@@ -16,16 +17,24 @@ constexpr double kBlockCost = 1.0;
 /// more in caches than it saves. Two blocks in a row are then better than a node for them.
 constexpr double kNodePerObjectCost = 3.2;
 
+/// A power of two that brings the area of a tree near 1, so that costs in float cannot overflow,
+/// and are rounded alike at all scales.
+double scaleFor(double treeArea) noexcept {
+  return treeArea > 0.0 ? std::ldexp(1.0, -std::ilogb(treeArea)) : 1.0;
+}
+
 }  // namespace
 
 SlotPlanner::SlotPlanner(double treeArea, std::size_t referenceCount) noexcept
-    : nodeMemoryCost_(kNodePerObjectCost * treeArea / static_cast<double>(referenceCount)) {}
+    : areaScale_(scaleFor(treeArea)),
+      nodeMemoryCost_(kNodePerObjectCost * treeArea * areaScale_ /
+                      static_cast<double>(referenceCount)) {}
 
 void SlotPlanner::plan(std::span<const Part> parts, std::size_t index,
                        std::span<SlotPlan> plans) const noexcept {
   SlotPlan& plan = plans[index];
   const Part& part = parts[index];
-  const double area = part.bounds.surfaceArea();
+  const double area = part.bounds.surfaceArea() * areaScale_;
   const auto rowCost = static_cast<float>(area * kBlockCost * part.blockCount);
   plan.leftSlots.fill(SlotPlan::kRow);
   plan.leftSlotsOfNode = 0;

@@ -12,8 +12,8 @@ namespace planetree::detail {
 
 /// The cheapest way to give a part of the tree at most so many slots of a wide node.
 struct SlotPlan {
-  /// Of all below, for a ray that meets the bounds of the tree, times their area. With no slot it
-  /// is infinite, unless the part is empty.
+  /// Of all below, for a ray that meets the bounds of the tree, times their area as the planner
+  /// scales it. Infinite with no slot, unless the part is empty, and with no other count.
   std::array<float, WideNode::kSlotCount + 1> cost;
   /// How many of the slots go to the left child, or what the part is in a single one.
   std::array<std::uint8_t, WideNode::kSlotCount + 1> leftSlots;
@@ -39,6 +39,7 @@ class SlotPlanner {
             std::span<SlotPlan> plans) const noexcept;
 
  private:
+  double areaScale_;
   double nodeMemoryCost_;
 };
 

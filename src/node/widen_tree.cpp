@@ -21,6 +21,7 @@ constexpr std::size_t kNodeBatchSize = 64;
 
 // Most of the time goes there, as progress has it.
 constexpr double kPartOfMakingParts = 0.85;
+constexpr double kPartOfWritingNodes = 0.15;
 
 void requireRoom(std::size_t count, std::uint32_t maxIndex, const std::string& what) {
   if (count <= std::size_t{maxIndex} + 1)
@@ -100,6 +101,7 @@ WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
   PlainArray<SlotPlan> plans(parts.size());
   const SlotPlanner planner(parts.front().bounds.surfaceArea(), referenceCount);
   all.forAllUpwards([&](std::size_t part) { planner.plan(parts, part, plans.values()); });
+  advance(0.0);
   const NodeNumbers numbers = numberNodes(parts, plans.values());
   requireRoom(numbers.parts.size(), WideChild::kMaxNodeIndex, "nodes");
 
@@ -117,6 +119,8 @@ WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
                         branchOut(parts, plans.values(), numbers.parts[i], branches);
                         nodes[i] = makeWideNode(parts, branches, nodeOf, frame);
                       }
+                      advance(kPartOfWritingNodes * static_cast<double>(batch.size()) /
+                              static_cast<double>(nodes.size()));
                     });
   const std::span<TriangleBlock> blocks = wide.blocksToWrite();
   tbb::parallel_for(std::size_t{0}, all.pieces.size(), [&](std::size_t i) {

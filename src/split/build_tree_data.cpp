@@ -114,6 +114,13 @@ void retractSplits(TreePieces& pieces, const Box3& bounds, LeafCuts cuts,
   });
 }
 
+std::size_t bytesOfBinaryTree(const TreePieces& pieces) noexcept {
+  std::size_t nodeCount = pieces.top().size();
+  for (const NodeArray& subtree : pieces.subtrees())
+    nodeCount += subtree.nodes().size();
+  return nodeCount * sizeof(Node) + pieces.referenceCount() * sizeof(std::uint32_t);
+}
+
 template <class T>
 bool holdsOnlyFaces(const TreeData<T>& tree) noexcept {
   return std::all_of(tree.geometries.begin(), tree.geometries.end(), isTriangleMesh<T>);
@@ -140,6 +147,7 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     monitor.beginPhase("bound", 0.05 * whole);
     BoundedObjects objects = boundObjects<T>(tree.geometries, tree.report, monitor);
     tree.bounds = objects.bounds;
+    requireReferenceRoom(objects.all.references.size());
 
     monitor.beginPhase("split", 0.55 * whole);
     const std::size_t objectCount = objects.all.references.size();
@@ -160,13 +168,11 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     }
 
     monitor.beginPhase("assemble", 0.01 * whole);
+    const MemoryCharge binaryCharge(monitor.memory(), bytesOfBinaryTree(pieces));
     BinaryTree binary = joinPieces(pieces);
     tree.nodes = std::move(binary.nodes);
     tree.references = std::move(binary.references);
     tree.report.referenceCount = tree.references.size();
-    const MemoryCharge binaryCharge(
-        monitor.memory(),
-        tree.nodes.size() * sizeof(Node) + tree.references.size() * sizeof(std::uint32_t));
 
     monitor.beginPhase("widen", 0.39 * whole);
     WideTree wide = widenTree(std::move(pieces), tree.bounds, cuts, makePacker, monitor.memory(),

@@ -7,9 +7,13 @@
 namespace planetree::detail {
 namespace {
 
-// In terms of the width of a bin: three roundings to float, each of half an ulp, move a position by
-// less than 3 * 2^-24 * kMaxBinCount bins.
+// In terms of the width of a bin: four roundings to float, each of half an ulp, move a position by
+// less than 4 * 2^-24 * kMaxBinCount bins.
 constexpr double kRoundingOfBins = 1.0 / 1024.0;
+
+// Smaller cells are one bin along the axis: bins per length, or differences of positions where the
+// processor flushes them to zero, could leave the range in which they are rounded like that.
+constexpr float kSmallestBinnedSize = 0x1p-96f;
 
 }  // namespace
 
@@ -18,7 +22,8 @@ BinScale::BinScale(const Box3& cell, std::size_t binCount) noexcept
   for (const Axis axis : kAxes) {
     const auto a = static_cast<std::size_t>(axis);
     lower_[a] = cell.lower[axis];
-    scale_[a] = static_cast<float>(binCount) / (cell.upper[axis] - cell.lower[axis]);
+    const float size = cell.upper[axis] - cell.lower[axis];
+    scale_[a] = size > kSmallestBinnedSize ? static_cast<float>(binCount) / size : 0.0f;
     size_[a] = static_cast<double>(cell.upper[axis]) - static_cast<double>(cell.lower[axis]);
   }
 }

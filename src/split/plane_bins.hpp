@@ -24,7 +24,7 @@ class BinScale {
 
   [[nodiscard]] std::size_t binOf(Axis axis, float position) const noexcept {
     const auto a = static_cast<std::size_t>(axis);
-    // Written so that NaN becomes 0: it is what a cell without extent makes of its own walls.
+    // Written so that NaN becomes 0.
     const float scaled = (position - lower_[a]) * scale_[a];
     const float above = scaled > 0.0f ? scaled : 0.0f;
     return static_cast<std::size_t>(static_cast<std::int32_t>(above < last_ ? above : last_));
@@ -39,8 +39,8 @@ class BinScale {
   }
   [[nodiscard]] float lastBin() const noexcept { return last_; }
 
-  /// How far from the lower wall of the cell the positions of a bin are: at least, or at most if
-  /// `binCount` bins from 0 on are meant. Rounding is allowed for.
+  /// How far from the lower wall of the cell the positions of a bin are, at least and at most.
+  /// Rounding is allowed for.
   [[nodiscard]] double lowestIn(Axis axis, std::size_t bin) const noexcept;
   [[nodiscard]] double highestIn(Axis axis, std::size_t bin) const noexcept;
 

@@ -1,7 +1,5 @@
 #include "split/plane_search.hpp"
 
-#include "support/assert.hpp"
-
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -107,13 +105,11 @@ std::optional<SplitPlane> PlaneSearch::find(std::span<const Reference> reference
   if (scale.binCount() > 1) {
     count(references, scale);
     sumUp(scale.binCount());
-    const Edge edge = cheapestEdge(scale);
-    if (!options_.exactPlanes) {
-      openBinsAt(edge, scale);
-      const std::optional<SplitPlane> found = searchOpenBins(references, cell, scale);
-      return found && found->cost < limit ? found : std::nullopt;
+    if (options_.exactPlanes) {
+      bound = std::min(bound, cheapestEdge(scale, Edges::WithPlanes).cost);
+    } else if (const auto found = searchAtBestEdge(references, cell, scale)) {
+      return found->cost < limit ? found : std::nullopt;
     }
-    bound = std::min(bound, edge.cost);
   }
   // A plane at an edge between bins is no candidate, but hardly cheaper than the best of them. If
   // it is, all bins that are no dearer than what was found have to be opened after all.
@@ -127,6 +123,19 @@ std::optional<SplitPlane> PlaneSearch::find(std::span<const Reference> reference
     bound = std::min(found, limit);
   }
   return std::nullopt;
+}
+
+std::optional<SplitPlane> PlaneSearch::searchAtBestEdge(std::span<const Reference> references,
+                                                        const Box3& cell, const BinScale& scale) {
+  std::optional<SplitPlane> best;
+  for (const Edges edges : {Edges::All, Edges::WithPlanes}) {
+    const Edge edge = cheapestEdge(scale, edges);
+    if (best || edge.bin == 0)
+      break;
+    openBinsAt(edge, scale);
+    best = searchOpenBins(references, cell, scale);
+  }
+  return best;
 }
 
 std::optional<SplitPlane> PlaneSearch::searchOpenBins(std::span<const Reference> references,
@@ -184,8 +193,8 @@ void PlaneSearch::prepareCosts(const Box3& cell) noexcept {
     AxisCost& cost = costs_[static_cast<std::size_t>(axis)];
     cost.size = sizeAlong(axis);
     const double perObject = options_.cost.intersectionCost;
-    cost.constant = cellArea_ > 0.0 ? perObject * 2.0 * second * third / cellArea_ : perObject;
-    cost.slope = cellArea_ > 0.0 ? perObject * 2.0 * (second + third) / cellArea_ : 0.0;
+    cost.constant = perObject * (cellArea_ > 0.0 ? 2.0 * second * third / cellArea_ : 1.0);
+    cost.slope = perObject * (cellArea_ > 0.0 ? 2.0 * (second + third) / cellArea_ : 0.0);
   }
 }
 
@@ -199,11 +208,15 @@ double PlaneSearch::costOf(std::size_t axis, double distance, double leftCount,
          (cutsOffEmptySpace ? 1.0 - options_.cost.emptyBonus : 1.0);
 }
 
-PlaneSearch::Edge PlaneSearch::cheapestEdge(const BinScale& scale) const noexcept {
+PlaneSearch::Edge PlaneSearch::cheapestEdge(const BinScale& scale, Edges edges) const noexcept {
   Edge cheapest;
   for (const Axis axis : kAxes) {
     const auto a = static_cast<std::size_t>(axis);
     const double width = costs_[a].size / static_cast<double>(scale.binCount());
+    const std::size_t last = scale.binCount() - 1;
+    const bool liesAtAWall = upperEndsFrom_[a][1] == 0 || lowerEndsBefore_[a][last] == 0;
+    if (liesAtAWall && edges == Edges::WithPlanes)
+      continue;
     for (std::size_t bin = 1; bin < scale.binCount(); ++bin) {
       const double cost = costOf(a, width * static_cast<double>(bin), lowerEndsBefore_[a][bin],
                                  upperEndsFrom_[a][bin]);

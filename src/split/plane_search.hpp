@@ -22,8 +22,9 @@ namespace planetree::detail {
 /// By branch and bound: bins say how many objects are at least on each side of any plane through a
 /// bin, and thus what such a plane costs at least. Only the ends in bins that may hold the best
 /// plane are sorted and swept. The result is that of a sweep over all ends, plane for plane, in
-/// little more than the time of a search among the edges of the bins. Without `exactPlanes` no more
-/// than the bins next to the best edge are opened.
+/// little more than the time of a search among the edges of the bins, unless very many planes cost
+/// the same. Without `exactPlanes` no more than the bins next to the best edge are opened, where
+/// there is a plane in them.
 class PlaneSearch {
  public:
   /// `options` must outlive the search.
@@ -64,12 +65,22 @@ class PlaneSearch {
     std::size_t bin = 0;  ///< the one above
   };
 
+  enum class Edges : std::uint8_t {
+    All,
+    /// Not those of axes along which all objects lie in an outermost bin. They cut off empty space
+    /// at no cost, but where the objects lie in the wall itself there is no such plane.
+    WithPlanes,
+  };
+
   void count(std::span<const Reference> references, const BinScale& scale);
   void sumUp(std::size_t binCount) noexcept;
   void prepareCosts(const Box3& cell) noexcept;
   [[nodiscard]] double costOf(std::size_t axis, double distance, double leftCount,
                               double rightCount) const noexcept;
-  [[nodiscard]] Edge cheapestEdge(const BinScale& scale) const noexcept;
+  [[nodiscard]] Edge cheapestEdge(const BinScale& scale, Edges edges) const noexcept;
+  /// The cheapest plane next to the best edge; nothing if there is none.
+  [[nodiscard]] std::optional<SplitPlane> searchAtBestEdge(std::span<const Reference> references,
+                                                           const Box3& cell, const BinScale& scale);
   /// Opens the bins next to an edge, on both sides up to the first one that is not empty.
   void openBinsAt(const Edge& edge, const BinScale& scale) noexcept;
   /// The cheapest plane in open bins.

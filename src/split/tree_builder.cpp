@@ -49,11 +49,6 @@ class TreeBuilder::SubtreeBuilder {
     return tree;
   }
 
-  [[nodiscard]] std::optional<SplitPlane> findPlane(std::span<const Reference> references,
-                                                    const Task& task) {
-    return builder_.findPlane(references, task, search_);
-  }
-
  private:
   /// Builds the cell whose references lie on the stack from `begin` on, and takes them off.
   void build(std::size_t begin, const Task& task, NodeArray& tree) {
@@ -62,7 +57,7 @@ class TreeBuilder::SubtreeBuilder {
       tree.chargeMemory(builder_.monitor_.memory());
     }
     const std::span<const Reference> references = stack_.from(begin);
-    const std::optional<SplitPlane> plane = findPlane(references, task);
+    const std::optional<SplitPlane> plane = builder_.findPlane(references, task, search_);
     if (!plane) {
       addLeaf(references, task.cell, tree);
       stack_.resize(begin);
@@ -129,19 +124,23 @@ TreePieces TreeBuilder::build(CellReferences references, const Box3& cell, doubl
 TreePieces TreeBuilder::buildPieces(CellReferences cellReferences, const Task& task,
                                     Workshop& workshop) const {
   const std::span<const Reference> references = cellReferences.references.values();
-  const auto asOnePiece = [&] {
-    return workshop.with(
-        [&](SubtreeBuilder& builder) { return TreePieces(builder.build(references, task)); });
-  };
   if (references.size() < kSubtreeSize) {
-    TreePieces piece = asOnePiece();
+    TreePieces piece = workshop.with(
+        [&](SubtreeBuilder& builder) { return TreePieces(builder.build(references, task)); });
     workshop.pool().giveBack(std::move(cellReferences));
     return piece;
   }
-  PlaneSearch search(options_);
-  const std::optional<SplitPlane> plane = findPlane(references, task, search);
-  if (!plane)
-    return asOnePiece();
+  // On the heap, and gone before the children are built: there may be as many on the way.
+  const std::optional<SplitPlane> plane =
+      findPlane(references, task, *std::make_unique<PlaneSearch>(options_));
+  if (!plane) {
+    NodeArray leaf;
+    addLeaf(references, task.cell, leaf);
+    leaf.chargeMemory(monitor_.memory());
+    workshop.pool().giveBack(std::move(cellReferences));
+    monitor_.advance(task.part);
+    return TreePieces(std::move(leaf));
+  }
   DividedReferences divided = divideTogether(std::move(cellReferences), *plane, task.cell, options_,
                                              clip_, workshop.pool());
   const Children children =

@@ -14,9 +14,16 @@ struct BuildProgress {
 };
 
 /// A hand on a build while it runs. Without any of it a build is left to itself.
+///
+///     std::stop_source stop;
+///     const BuildControl control = {
+///         .onProgress = [&](const BuildProgress& progress) { window.showProgress(progress.done);
+///         }, .stopToken = stop.get_token()};
+///     const auto tree = buildTree(mesh.view(), BuildOptions::fast(), control);
 struct BuildControl {
   /// Told now and then how far the build has come, and once at the end, with 1. Called from the
-  /// threads that build, never by two at a time; it should be quick. What it throws ends the build
+  /// threads that build, never by two at a time; it should be quick, and must not wait for oneTBB
+  /// tasks. What it throws ends the build
   /// and comes out of `buildTree`.
   std::function<void(const BuildProgress&)> onProgress = {};
 
@@ -26,7 +33,7 @@ struct BuildControl {
 
   /// How many bytes the build may take in all, the finished tree included, but not the objects; 0
   /// stands for the memory that the machine has. Where more would be needed, `buildTree` throws
-  /// `Error` with `MemoryLimitExceeded`, before it takes it. What a build took is in
+  /// `Error` with `MemoryLimitExceeded`, before or soon after it takes it. What a build took is in
   /// `BuildReport::peakBytes`; for triangles it is some 100 to 250 bytes each.
   std::uint64_t memoryLimit = 0;
 };

@@ -73,7 +73,8 @@ struct BuildOptions {
   /// The default.
   [[nodiscard]] static constexpr BuildOptions balanced() noexcept { return {}; }
 
-  /// Takes its time for the sake of the rays, for scenes that are built once and looked at for long.
+  /// Takes its time for the sake of the rays, for scenes that are built once and looked at for
+  /// long.
   [[nodiscard]] static constexpr BuildOptions high() noexcept {
     BuildOptions options;
     options.retractsSplits = true;

@@ -34,7 +34,8 @@ struct BuildReport {
   std::vector<SkippedObject> skipped;  ///< the first few skipped ones
   /// What took how long, in the order in which it was done. Which phases there are may change with
   /// the builder: "bound" bounds the objects, "split" finds the planes and divides the objects down
-  /// to the leaves, "assemble" makes the arrays that queries read.
+  /// to the leaves, "retract" takes back splits (`BuildOptions::retractsSplits`), "assemble" makes
+  /// the arrays of the binary form, "widen" the form that queries walk.
   std::vector<BuildPhase> phases;
   double totalSeconds = 0.0;         ///< the sum of the phases
   std::uint64_t referenceCount = 0;  ///< entries of all leaves; an object may have several

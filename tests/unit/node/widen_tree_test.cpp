@@ -112,6 +112,41 @@ TEST(WidenTree, HoldsEveryReferenceOfTheBinaryFormOnce) {
   }
 }
 
+// One stray vertex makes areas that no float holds: the plan must not be made of infinities.
+TEST(WidenTree, HoldsEveryReferenceBesideAFaceFarBeyondTheRange) {
+  for (const float far : {1e15f, 1e20f, 1e25f, 3e38f}) {
+    SCOPED_TRACE(far);
+    for (const BuildOptions& options :
+         {BuildOptions{}, BuildOptions::fast(), BuildOptions::high()}) {
+      TriangleMesh<float> mesh = test::detail::soup<float>(23, 3000, 0.1);
+      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.insert(mesh.positions.end(),
+                            {{far, far, far}, {far * 0.5f, far, 0}, {0, far * 0.75f, far}});
+      mesh.faces.push_back({first, first + 1, first + 2});
+      const auto tree = buildTree(mesh.view(), options);
+      const TreeView<float> view = tree.view();
+      std::multiset<std::uint32_t> objects;
+      std::size_t nodeCount = 0;
+      for (const TriangleBlock& block : view.wide->blocks) {
+        for (std::size_t lane = 0; (block.usedLanes >> lane & 1u) != 0; ++lane)
+          objects.insert(block.objects[lane]);
+      }
+      EXPECT_EQ(objects,
+                std::multiset<std::uint32_t>(view.references.begin(), view.references.end()));
+      for (const WideNode& node : view.wide->nodes) {
+        for (const SlotOrder& order : node.orders) {
+          std::set<std::size_t> slots;
+          for (std::size_t i = 0; i < WideNode::kSlotCount; ++i)
+            slots.insert(order[i]);
+          EXPECT_EQ(slots.size(), WideNode::kSlotCount);
+        }
+        ++nodeCount;
+      }
+      EXPECT_GT(nodeCount, 0u);
+    }
+  }
+}
+
 /// Spheres and a mesh in one tree, as leaves of every size.
 TEST(WidenTree, HoldsEveryReferenceOnceBesideShapes) {
   for (const std::uint32_t leafSize : {0u, 1u, 4u, 15u, 16u, 17u, 40u, 300u, 1000u}) {

@@ -63,6 +63,38 @@ TEST(LeafCounts, AreExactForManyCopiesUnderAllStoppingRules) {
   EXPECT_EQ(buildTree(copiesOfOneFace(70'000), options).statistics().largestLeaf, 70'000u);
 }
 
+/// Flat ground with a mast on it.
+TriangleMesh<float> groundWithMast(int side) {
+  TriangleMesh<float> mesh;
+  for (int y = 0; y <= side; ++y) {
+    for (int x = 0; x <= side; ++x)
+      mesh.positions.push_back({static_cast<float>(x), static_cast<float>(y), 0.0f});
+  }
+  const auto vertex = [&](int x, int y) { return static_cast<std::uint32_t>(y * (side + 1) + x); };
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      mesh.faces.push_back({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1)});
+      mesh.faces.push_back({vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+    }
+  }
+  const auto mast = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto middle = static_cast<float>(side) / 2.0f;
+  mesh.positions.insert(mesh.positions.end(), {{middle, middle, 0},
+                                               {middle + 0.5f, middle, 0},
+                                               {middle, middle, static_cast<float>(side)}});
+  mesh.faces.push_back({mast, mast + 1, mast + 2});
+  return mesh;
+}
+
+// The cheapest edge of the bins is one that cuts off the air above, where no face ends.
+TEST(LeafCounts, StaySmallOnFlatGroundUnderAMast) {
+  for (BuildOptions options : {BuildOptions::fast(), BuildOptions::balanced()}) {
+    const auto tree = buildTree(groundWithMast(100), options);
+    EXPECT_LT(tree.statistics().largestLeaf, 1000u);
+    expectValid(tree);
+  }
+}
+
 TEST(LeafCounts, AddUpToTheReferencesOfTheTree) {
   MeshGenerator generator(kSeed);
   const auto tree = buildTree(generator.soupOfAnyCoordinates<float>(2000, 0.2f));
