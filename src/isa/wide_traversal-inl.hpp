@@ -610,21 +610,24 @@ struct Progress {
   std::uint32_t restCount = 0;           ///< blocks behind it, still to be tested
   WideChild object = {};
 
-  // For goals that count.
-  std::uint64_t nodeSteps;
-  std::uint64_t blockSteps;
-
   HWY_INLINE void push(float tNear, WideChild child) {
     stack.tNear[size] = tNear;
     stack.children[size++] = child.word();
   }
 };
 
+/// The same for goals that count.
+struct CountedProgress : Progress {
+  WideSteps steps;
+};
+template <class Goal>
+using ProgressOf = std::conditional_t<Goal::kCounts, CountedProgress, Progress>;
+
 /// Goes on until there is something to do that needs no vectors. A function of its own, which calls
 /// nothing: only then do compilers keep all that it needs of the ray in registers. To fill these
 /// again takes fewer cycles than what is spared in between.
 template <class Goal>
-HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
+HWY_NOINLINE Pause walk(const WideQuery& query, ProgressOf<Goal>& progress) {
   const WideRay boxRay(query);
   const BlockRay blockRay(query);
   const Floats tMax = hn::Set(FloatTag(), query.hitT);
@@ -639,7 +642,7 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
     for (; restCount > 0; --restCount) {
       ++block;
       if constexpr (Goal::kCounts)
-        ++progress.blockSteps;
+        ++progress.steps.blocks;
       const auto answer = blockRay.test<Goal>(*block, progress.sheared);
       if (Goal::kStopsAtAnyHit && answer.certain != 0)
         return Pause::Hit;
@@ -661,7 +664,7 @@ HWY_NOINLINE Pause walk(const WideQuery& query, Progress& progress) {
         prefetchNext(nodes, query.octant, WideChild::fromWord(below));
       const WideNode& node = nodes[child.nodeIndex()];
       if constexpr (Goal::kCounts)
-        ++progress.nodeSteps;
+        ++progress.steps.nodes;
       BoxTest test;
       boxRay.test(node, tMax, test);
       child = WideChild::fromWord(
@@ -688,7 +691,7 @@ HWY_INLINE void scaleDepths(WideQuery& query) {
 }
 
 template <class Goal>
-HWY_INLINE bool search(WideQuery& query, Progress& progress) {
+HWY_INLINE bool search(WideQuery& query, ProgressOf<Goal>& progress) {
   if (query.ray != nullptr && !prepareRay(query)) {
     query.isOutOfRange = true;
     return false;
@@ -726,12 +729,10 @@ bool search(WideQuery& query) noexcept {
 
 template <class Goal>
 bool count(WideQuery& query, WideSteps& steps) noexcept {
-  Progress progress;
-  progress.nodeSteps = 0;
-  progress.blockSteps = 0;
+  CountedProgress progress;
   const bool found = search<Goal>(query, progress);
-  steps.nodes += progress.nodeSteps;
-  steps.blocks += progress.blockSteps;
+  steps.nodes += progress.steps.nodes;
+  steps.blocks += progress.steps.blocks;
   return found;
 }
 
