@@ -35,7 +35,7 @@ struct Kernels {
 [[nodiscard]] const Kernels& chooseKernels() noexcept;
 
 /// The same, chosen at the first call, once for the program.
-[[nodiscard]] inline const Kernels& kernels() noexcept {
+[[nodiscard]] inline const Kernels& activeKernels() noexcept {
   static const Kernels& chosen = chooseKernels();
   return chosen;
 }

@@ -97,9 +97,10 @@ BoundedObjects boundObjects(std::span<GeometryEntry<T>> geometries, BuildReport&
     }
   }
   if (buildReport.skippedCount > 0) {
-    const auto skipped = std::ranges::remove_if(
-        bounded.all.references.values(), [](const Reference& r) { return r.bounds.isEmpty(); });
-    bounded.all.references.resize(bounded.all.references.size() - skipped.size());
+    const std::span<Reference> all = bounded.all.references.values();
+    const auto end = std::remove_if(all.begin(), all.end(),
+                                    [](const Reference& r) { return r.bounds.isEmpty(); });
+    bounded.all.references.resize(static_cast<std::size_t>(end - all.begin()));
   }
   return bounded;
 }

@@ -20,9 +20,10 @@ constexpr std::size_t kBatchSize = 1u << 14u;
 constexpr std::size_t kPieceSize = 1u << 10u;
 
 void removeEmpty(PlainArray<Reference>& references) noexcept {
-  const auto removed = std::ranges::remove_if(
-      references.values(), [](const Reference& r) { return r.bounds.isEmpty(); });
-  references.resize(references.size() - removed.size());
+  const std::span<Reference> all = references.values();
+  const auto end =
+      std::remove_if(all.begin(), all.end(), [](const Reference& r) { return r.bounds.isEmpty(); });
+  references.resize(static_cast<std::size_t>(end - all.begin()));
 }
 
 }  // namespace

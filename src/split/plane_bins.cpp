@@ -56,7 +56,7 @@ void BinCounts::add(std::span<const Reference> references, const BinScale& scale
   for (Counts& counts : others)
     std::fill_n(counts.begin(), scale.binCount(), 0u);
   counting.otherCounts = others[0].data();
-  kernels().countEnds(counting);
+  activeKernels().countEnds(counting);
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t bin = 0; bin < scale.binCount(); ++bin) {
       lowerEnds[a][bin] += others[a][bin];

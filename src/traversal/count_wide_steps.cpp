@@ -13,7 +13,7 @@ void countSteps(const TreeView<float>& tree, const Rayf& ray, WideSteps& steps) 
   const Request<float> request(tree, ray, ray.tMin, ray.tMax);
   WideSearch<Goal, float> search(request, hit);
   if (search.prepareRay())
-    static_cast<void>(search.count(kernels(), steps));
+    static_cast<void>(search.count(activeKernels(), steps));
 }
 
 }  // namespace

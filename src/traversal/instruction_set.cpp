@@ -26,7 +26,7 @@ struct Names {
 }  // namespace
 
 std::string_view activeInstructionSet() noexcept {
-  return detail::kernels().name;
+  return detail::activeKernels().name;
 }
 
 std::span<const std::string_view> supportedInstructionSets() noexcept {

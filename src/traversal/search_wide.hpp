@@ -211,7 +211,7 @@ class WideSearch : public WideQuery {
 /// are choices to make, the kernels find the candidates, which takes a few dozen nanoseconds more.
 template <class Goal, class T>
 [[nodiscard]] std::optional<bool> searchWide(const Request<T>& request, Hit<T>& hit,
-                                             const Kernels& kernels = kernels()) noexcept {
+                                             const Kernels& kernels = activeKernels()) noexcept {
   if (request.tree.wide == nullptr)
     return std::nullopt;
   WideSearch<Goal, T> search(request, hit);

@@ -34,11 +34,11 @@ TEST(InstructionSets, TheActiveOneIsWhatWasAskedForIfThereIsSuchAndElseTheBest) 
 
 TEST(InstructionSets, TheActiveOneIsWhatQueriesUseAndDoesNotChange) {
   const std::string before(activeInstructionSet());
-  EXPECT_EQ(detail::kernels().name, before);
+  EXPECT_EQ(detail::activeKernels().name, before);
   const std::string requested(requestedInstructionSet());
   ::setenv("PLANETREE_ISA", before == "scalar" ? "none" : "scalar", 1);
   EXPECT_EQ(activeInstructionSet(), before);
-  EXPECT_EQ(detail::kernels().name, before);
+  EXPECT_EQ(detail::activeKernels().name, before);
   if (requested.empty())
     ::unsetenv("PLANETREE_ISA");
   else
