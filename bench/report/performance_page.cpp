@@ -4,6 +4,7 @@
 #include "bench/scene/sized_scenes.hpp"
 #include "bench/support/comparisons.hpp"
 #include "bench/support/summary.hpp"
+#include "bench/support/table.hpp"
 
 #include <planetree/error.hpp>
 
@@ -23,16 +24,6 @@ namespace {
 
 constexpr std::string_view kBegin = "<!-- figures: begin -->";
 constexpr std::string_view kEnd = "<!-- figures: end -->";
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '|')
-      safe += '\\';
-    safe += c;
-  }
-  return safe;
-}
 
 std::string cell(const Summary& summary, const Summary::Row& row, std::size_t column) {
   if (!row.values[column])
@@ -54,7 +45,7 @@ std::string markdownTable(const Summary& summary) {
   }
   table += "\n" + rule + "\n";
   for (const Summary::Row& row : summary.rows) {
-    table += fmt::format("| {} |", escaped(row.scene));
+    table += fmt::format("| {} |", escapedForCell(row.scene));
     if (hasKinds)
       table += fmt::format(" {} |", row.kind);
     for (std::size_t i = 0; i < summary.columns.size(); ++i)

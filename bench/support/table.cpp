@@ -9,7 +9,16 @@ namespace planetree::bench {
 
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string markdownRow(const std::vector<std::string>& cells) {
+  std::string row = "|";
+  for (const std::string& cell : cells)
+    row += fmt::format(" {} |", escapedForCell(cell));
+  return row + "\n";
+}
+
+}  // namespace
+
+std::string escapedForCell(const std::string& text) {
   std::string safe;
   for (const char c : text) {
     if (c == '|')
@@ -18,15 +27,6 @@ std::string escaped(const std::string& text) {
   }
   return safe;
 }
-
-std::string markdownRow(const std::vector<std::string>& cells) {
-  std::string row = "|";
-  for (const std::string& cell : cells)
-    row += fmt::format(" {} |", escaped(cell));
-  return row + "\n";
-}
-
-}  // namespace
 
 std::string alignedLines(const std::vector<std::vector<std::string>>& lines,
                          std::size_t labelCount) {

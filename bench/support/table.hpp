@@ -21,6 +21,9 @@ struct Table {
 /// In plain text, to be read in a terminal. The first column has the labels.
 [[nodiscard]] std::string toText(const Table& table);
 
+/// As it may stand in a cell of a page.
+[[nodiscard]] std::string escapedForCell(const std::string& text);
+
 /// Likewise for a page, without the title.
 [[nodiscard]] std::string toMarkdown(const Table& table);
 

@@ -2,6 +2,8 @@
 
 #include <planetree/node/validate_tree.hpp>
 
+#include "unit/node/expect_node.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,25 +15,15 @@
 namespace planetree::detail {
 namespace {
 
+using test::expectLeaf;
+using test::expectSplit;
+
 constexpr Box3 kUnitCube = {.lower = {0, 0, 0}, .upper = {1, 1, 1}};
 
 void addLeaf(NodeArray& array, const std::vector<std::uint32_t>& objects) {
   const std::span<std::uint32_t> room = array.addLeaf(objects.size());
   ASSERT_EQ(room.size(), objects.size());
   std::copy(objects.begin(), objects.end(), room.begin());
-}
-
-void expectLeaf(const Node& node, std::uint32_t firstReference, std::uint32_t count) {
-  ASSERT_TRUE(node.isLeaf());
-  EXPECT_EQ(node.leaf().firstReference(), firstReference);
-  EXPECT_EQ(node.leaf().count(), count);
-}
-
-void expectSplit(const Node& node, Axis axis, float position, std::uint32_t rightOffset) {
-  ASSERT_FALSE(node.isLeaf());
-  EXPECT_EQ(node.split().axis(), axis);
-  EXPECT_EQ(node.split().position(), position);
-  EXPECT_EQ(node.split().rightOffset(), rightOffset);
 }
 
 void expectReferences(const NodeArray& array, const std::vector<std::uint32_t>& wanted) {

@@ -2,6 +2,8 @@
 
 #include <planetree/node/validate_tree.hpp>
 
+#include "unit/node/expect_node.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +13,9 @@
 
 namespace planetree::detail {
 namespace {
+
+using test::expectLeaf;
+using test::expectSplit;
 
 constexpr Box3 kUnitCube = {.lower = {0, 0, 0}, .upper = {1, 1, 1}};
 
@@ -33,19 +38,6 @@ TreePieces splitOfTwo(Axis axis, float position, const std::vector<std::uint32_t
   array.beginRightChild(split);
   addLeaf(array, right);
   return TreePieces(std::move(array));
-}
-
-void expectLeaf(const Node& node, std::uint32_t firstReference, std::uint32_t count) {
-  ASSERT_TRUE(node.isLeaf());
-  EXPECT_EQ(node.leaf().firstReference(), firstReference);
-  EXPECT_EQ(node.leaf().count(), count);
-}
-
-void expectSplit(const Node& node, Axis axis, float position, std::uint32_t rightOffset) {
-  ASSERT_FALSE(node.isLeaf());
-  EXPECT_EQ(node.split().axis(), axis);
-  EXPECT_EQ(node.split().position(), position);
-  EXPECT_EQ(node.split().rightOffset(), rightOffset);
 }
 
 TEST(TreePieces, OfOneSubtreeAreThatSubtree) {
