@@ -127,15 +127,15 @@ std::optional<SplitPlane> PlaneSearch::find(std::span<const Reference> reference
 
 std::optional<SplitPlane> PlaneSearch::searchAtBestEdge(std::span<const Reference> references,
                                                         const Box3& cell, const BinScale& scale) {
-  std::optional<SplitPlane> best;
   for (const Edges edges : {Edges::All, Edges::WithPlanes}) {
     const Edge edge = cheapestEdge(scale, edges);
-    if (best || edge.bin == 0)
+    if (edge.bin == 0)
       break;
     openBinsAt(edge, scale);
-    best = searchOpenBins(references, cell, scale);
+    if (const std::optional<SplitPlane> best = searchOpenBins(references, cell, scale))
+      return best;
   }
-  return best;
+  return std::nullopt;
 }
 
 std::optional<SplitPlane> PlaneSearch::searchOpenBins(std::span<const Reference> references,
