@@ -22,12 +22,10 @@ double costOf(double area, std::uint32_t count, double perTest) noexcept {
 }  // namespace
 
 void CenterBins::scaleTo(const Box3& centers) noexcept {
-  for (const Axis axis : kAxes) {
-    const auto a = static_cast<std::size_t>(axis);
-    const float size = centers.upper[axis] - centers.lower[axis];
-    lower_[a] = centers.lower[axis];
-    scale_[a] = size > 0.0f ? static_cast<float>(kBinCount) / size : 0.0f;
-  }
+  axis_ = longestAxis(centers);
+  const float size = centers.upper[axis_] - centers.lower[axis_];
+  lower_ = centers.lower[axis_];
+  scale_ = size > 0.0f ? static_cast<float>(kBinCount) / size : 0.0f;
 }
 
 void CenterBins::Bin::add(const Bin& other) noexcept {
@@ -35,9 +33,8 @@ void CenterBins::Bin::add(const Bin& other) noexcept {
   count += other.count;
 }
 
-std::size_t CenterBins::binOf(const Box3& box, Axis axis) const noexcept {
-  const auto a = static_cast<std::size_t>(axis);
-  const float scaled = (centerAlong(box, axis) - lower_[a]) * scale_[a];
+std::size_t CenterBins::binOf(const Box3& box) const noexcept {
+  const float scaled = (centerAlong(box, axis_) - lower_) * scale_;
   // Also right for NaN, which an infinite scale makes of the lowest center.
   const float above = scaled > 0.0f ? scaled : 0.0f;
   constexpr auto kLast = static_cast<float>(kBinCount - 1);
@@ -48,59 +45,53 @@ std::optional<CenterBins::Cut> CenterBins::divide(std::span<const Box3> boxes, c
                                                   std::span<std::uint32_t> places, double perTest) {
   scaleTo(centers);
   count(boxes, places);
-  const Edge edge = findCheapestEdge(perTest);
-  if (edge.bin == 0)
+  const std::size_t edge = findCheapestEdge(perTest);
+  if (edge == 0)
     return std::nullopt;
   // Each place is written to both sides, and stays where it belongs.
   right_.resize(places.size());
   std::size_t leftCount = 0;
   std::size_t rightCount = 0;
   for (const std::uint32_t place : places) {
-    const bool isLeft = binOf(boxes[place], edge.axis) < edge.bin;
+    const bool isLeft = binOf(boxes[place]) < edge;
     right_[rightCount] = place;
     places[leftCount] = place;
     leftCount += isLeft ? 1 : 0;
     rightCount += isLeft ? 0 : 1;
   }
   std::copy_n(right_.begin(), rightCount, places.subspan(leftCount).begin());
-  return Cut{.axis = edge.axis, .leftCount = leftCount};
+  return Cut{.axis = axis_, .leftCount = leftCount};
 }
 
 void CenterBins::count(std::span<const Box3> boxes,
                        std::span<const std::uint32_t> places) noexcept {
-  for (auto& bins : bins_)
-    bins.fill({});
+  bins_.fill({});
   for (const std::uint32_t place : places) {
-    for (const Axis axis : kAxes) {
-      Bin& bin = bins_[static_cast<std::size_t>(axis)][binOf(boxes[place], axis)];
-      extendBy(bin.bounds, boxes[place]);
-      ++bin.count;
-    }
+    Bin& bin = bins_[binOf(boxes[place])];
+    extendBy(bin.bounds, boxes[place]);
+    ++bin.count;
   }
 }
 
-CenterBins::Edge CenterBins::findCheapestEdge(double perTest) const noexcept {
-  Edge cheapest;
+std::size_t CenterBins::findCheapestEdge(double perTest) const noexcept {
+  std::array<double, kBinCount> rightCosts = {};
+  Bin right;
+  for (std::size_t i = kBinCount; i-- > 1;) {
+    right.add(bins_[i]);
+    rightCosts[i] = right.count > 0 ? costOf(right.bounds.surfaceArea(), right.count, perTest)
+                                    : std::numeric_limits<double>::infinity();
+  }
+  std::size_t cheapest = 0;
   double leastCost = std::numeric_limits<double>::infinity();
-  for (const Axis axis : kAxes) {
-    const auto& bins = bins_[static_cast<std::size_t>(axis)];
-    std::array<double, kBinCount> rightCosts = {};
-    Bin right;
-    for (std::size_t i = kBinCount; i-- > 1;) {
-      right.add(bins[i]);
-      rightCosts[i] = right.count > 0 ? costOf(right.bounds.surfaceArea(), right.count, perTest)
-                                      : std::numeric_limits<double>::infinity();
-    }
-    Bin left;
-    for (std::size_t i = 1; i < kBinCount; ++i) {
-      left.add(bins[i - 1]);
-      if (left.count == 0)
-        continue;
-      const double cost = costOf(left.bounds.surfaceArea(), left.count, perTest) + rightCosts[i];
-      if (cost < leastCost) {
-        leastCost = cost;
-        cheapest = {.axis = axis, .bin = i};
-      }
+  Bin left;
+  for (std::size_t i = 1; i < kBinCount; ++i) {
+    left.add(bins_[i - 1]);
+    if (left.count == 0)
+      continue;
+    const double cost = costOf(left.bounds.surfaceArea(), left.count, perTest) + rightCosts[i];
+    if (cost < leastCost) {
+      leastCost = cost;
+      cheapest = i;
     }
   }
   return cheapest;

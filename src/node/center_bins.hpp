@@ -12,9 +12,9 @@
 
 namespace planetree::detail {
 
-/// Divides objects of one leaf after the other by the bin that the center of their box falls into.
-/// Wald, "On fast construction of SAH-based bounding volume hierarchies", IEEE Symposium on
-/// Interactive Ray Tracing 2007.
+/// Divides objects of one leaf after the other by the bin that the center of their box falls into,
+/// along the axis on which the centers reach farthest. Wald, "On fast construction of SAH-based
+/// bounding volume hierarchies", IEEE Symposium on Interactive Ray Tracing 2007.
 class CenterBins {
  public:
   struct Cut {
@@ -38,21 +38,26 @@ class CenterBins {
 
     void add(const Bin& other) noexcept;
   };
-  struct Edge {
-    Axis axis = Axis::X;
-    std::size_t bin = 0;  ///< the one above; 0 stands for no edge
-  };
-
   void scaleTo(const Box3& centers) noexcept;
-  [[nodiscard]] std::size_t binOf(const Box3& box, Axis axis) const noexcept;
+  [[nodiscard]] std::size_t binOf(const Box3& box) const noexcept;
   void count(std::span<const Box3> boxes, std::span<const std::uint32_t> places) noexcept;
-  [[nodiscard]] Edge findCheapestEdge(double perTest) const noexcept;
+  /// The bin above the cheapest edge; 0 if there is none.
+  [[nodiscard]] std::size_t findCheapestEdge(double perTest) const noexcept;
 
-  std::array<float, 3> lower_ = {};
-  std::array<float, 3> scale_ = {};
-  std::array<std::array<Bin, kBinCount>, 3> bins_;
+  Axis axis_ = Axis::X;
+  float lower_ = 0.0f;
+  float scale_ = 0.0f;
+  std::array<Bin, kBinCount> bins_;
   std::vector<std::uint32_t> right_;  ///< places; room that is used again
 };
+
+/// Of equally long ones the first.
+[[nodiscard]] inline Axis longestAxis(const Box3& box) noexcept {
+  const Vec3f size = box.size();
+  if (size.x >= size.y && size.x >= size.z)
+    return Axis::X;
+  return size.y >= size.z ? Axis::Y : Axis::Z;
+}
 
 /// The middle of a box along an axis.
 [[nodiscard]] inline float centerAlong(const Box3& box, Axis axis) noexcept {

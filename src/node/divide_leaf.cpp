@@ -20,13 +20,6 @@ constexpr double kFacesPerBlock = 12.0;
 /// leaf has less than 2^32 objects.
 constexpr std::size_t kMaxSweptDepth = kMaxLeafDivisions - 32;
 
-Axis longestAxis(const Box3& box) noexcept {
-  const Vec3f size = box.size();
-  if (size.x >= size.y && size.x >= size.z)
-    return Axis::X;
-  return size.y >= size.z ? Axis::Y : Axis::Z;
-}
-
 }  // namespace
 
 void LeafDivider::divide(std::span<const Box3> boxes, LeafPacker* packer,
