@@ -8,6 +8,7 @@ namespace planetree::detail {
 namespace {
 
 constexpr std::chrono::milliseconds kTellingInterval(20);
+constexpr double kMostBeforeTheEnd = 0.999;
 
 double secondsBetween(std::chrono::steady_clock::time_point start,
                       std::chrono::steady_clock::time_point end) {
@@ -59,9 +60,9 @@ void BuildMonitor::advance(double partOfPhase) {
   if (!lock || now - lastTold_ < kTellingInterval)
     return;
   lastTold_ = now;
-  // Rounding may add up to more than the whole; and the end is told at the end.
+  // Rounding may add up to more than the whole, and the end is told at the end.
   const double done = doneBefore_ + share_ * std::min(doneOfPhase_.load(), 1.0);
-  told_ = std::max(told_, std::min(done, 1.0));
+  told_ = std::max(told_, std::min(done, kMostBeforeTheEnd));
   control_.onProgress({.phase = phase_, .done = told_});
 }
 
