@@ -2,6 +2,8 @@
 
 #include <planetree/error.hpp>
 
+#include <tbb/task_group.h>
+
 #include <algorithm>
 
 namespace planetree::detail {
@@ -44,7 +46,7 @@ void BuildMonitor::endPhase() {
 }
 
 void BuildMonitor::throwIfStopped() const {
-  if (control_.stopToken.stop_requested())
+  if (control_.stopToken.stop_requested() || tbb::is_current_task_group_canceling())
     throw Cancelled();
 }
 

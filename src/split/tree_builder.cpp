@@ -133,6 +133,7 @@ TreePieces TreeBuilder::buildPieces(CellReferences cellReferences, const Task& t
   // On the heap, and gone before the children are built: there may be as many on the way.
   const std::optional<SplitPlane> plane =
       findPlane(references, task, *std::make_unique<PlaneSearch>(options_));
+  monitor_.throwIfStopped();
   if (!plane) {
     NodeArray leaf;
     addLeaf(references, task.cell, leaf);
@@ -143,6 +144,7 @@ TreePieces TreeBuilder::buildPieces(CellReferences cellReferences, const Task& t
   }
   DividedReferences divided = divideTogether(std::move(cellReferences), *plane, task.cell, options_,
                                              clip_, workshop.pool());
+  monitor_.throwIfStopped();
   const Children children =
       childrenOf(task, *plane, divided.left.references.size(), divided.right.references.size());
   std::optional<TreePieces> left;
@@ -150,6 +152,7 @@ TreePieces TreeBuilder::buildPieces(CellReferences cellReferences, const Task& t
   tbb::parallel_invoke(
       [&] { left = buildPieces(std::move(divided.left), children.left, workshop); },
       [&] { right = buildPieces(std::move(divided.right), children.right, workshop); });
+  monitor_.throwIfStopped();
   return {plane->axis, plane->position, std::move(*left), std::move(*right)};
 }
 
