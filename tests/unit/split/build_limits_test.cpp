@@ -44,8 +44,8 @@ std::vector<std::uint32_t> leafCounts(const KdTree<O>& tree) {
   return counts;
 }
 
-TEST(LeafCounts, AreExactForAHundredThousandCopiesOfOneFace) {
-  constexpr std::uint32_t kCopyCount = 100'000;
+TEST(LeafCounts, AreExactForAMillionCopiesOfOneFace) {
+  constexpr std::uint32_t kCopyCount = 1'000'000;
   const auto tree = buildTree(copiesOfOneFace(kCopyCount));
   ASSERT_EQ(tree.nodes().size(), 1u);
   ASSERT_EQ(tree.root().leaf().count(), kCopyCount);
