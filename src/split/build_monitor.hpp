@@ -28,9 +28,9 @@ class BuildMonitor {
 
   /// Throws `Cancelled` if a stop has been requested, or another thread has thrown. Quick.
   ///
-  /// To be called behind every parallel loop inside of a task: when another task throws, oneTBB ends
-  /// all loops of the build early, and those that did not throw themselves return as if all were
-  /// done.
+  /// To be called behind every parallel loop inside of a task: when another task throws, oneTBB
+  /// ends all loops of the build early, and those that did not throw themselves return as if all
+  /// were done.
   void throwIfStopped() const;
   /// Says that another part of the phase is done, tells the caller now and then, and throws what
   /// the caller throws, or `Cancelled`.
