@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace planetree::detail::HWY_NAMESPACE {
 
 /// The six ends of a box are turned into bins at once; to count them is plain code. See
-/// `BinScale::binOf` for the order of the operations, which must be the same.
+/// `binOf` (support/bin_of.hpp) for the order of the operations, which must be the same.
 inline void countEnds(const EndCounting& counting) noexcept {
   namespace hn = hwy::HWY_NAMESPACE;
   constexpr std::size_t kLanes = HWY_MIN(EndCounting::kLaneCount, HWY_LANES(float));

@@ -1,5 +1,7 @@
 #include "node/center_bins.hpp"
 
+#include "support/bin_of.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,11 +36,8 @@ void CenterBins::Bin::add(const Bin& other) noexcept {
 }
 
 std::size_t CenterBins::binOf(const Box3& box) const noexcept {
-  const float scaled = (centerAlong(box, axis_) - lower_) * scale_;
-  // Also right for NaN, which an infinite scale makes of the lowest center.
-  const float above = scaled > 0.0f ? scaled : 0.0f;
   constexpr auto kLast = static_cast<float>(kBinCount - 1);
-  return static_cast<std::size_t>(static_cast<std::int32_t>(above < kLast ? above : kLast));
+  return detail::binOf(centerAlong(box, axis_), lower_, scale_, kLast);
 }
 
 std::optional<CenterBins::Cut> CenterBins::divide(std::span<const Box3> boxes, const Box3& centers,

@@ -15,7 +15,7 @@ namespace planetree::detail {
 /// Havran, "Heuristic ray shooting algorithms", dissertation, CTU Prague 2000, section 4.5, prunes
 /// by the cost of the kd-tree itself; here it is that of the plan for the wide form
 /// (`SlotPlanner`). Cells with a great many references stay divided. Leaves that are not packed
-/// stay as they are. Takes some four times as long as dividing the leaves.
+/// stay as they are. Takes some three times as long as dividing the leaves.
 [[nodiscard]] NodeArray retractSplits(const NodeArray& tree, LeafCuts cuts, LeafPacker& packer,
                                       const SlotPlanner& planner);
 

@@ -143,7 +143,8 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
   tree.geometries = std::move(geometries);
 
   const auto build = [&] {
-    const double whole = options.retractsSplits && holdsOnlyFaces(tree) ? 0.35 : 1.0;
+    const bool retracts = options.retractsSplits && holdsOnlyFaces(tree);
+    const double whole = retracts ? 0.35 : 1.0;
     monitor.beginPhase("bound", 0.05 * whole);
     BoundedObjects objects = boundObjects<T>(tree.geometries, tree.report, monitor);
     tree.bounds = objects.bounds;
@@ -162,7 +163,7 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
       return std::make_unique<FacePacker<T>>(tree.geometries, center);
     };
     const LeafCuts cuts = options.exactPlanes ? LeafCuts::AllPositions : LeafCuts::Bins;
-    if (options.retractsSplits && holdsOnlyFaces(tree)) {
+    if (retracts) {
       monitor.beginPhase("retract", 1.0 - whole);
       retractSplits(pieces, tree.bounds, cuts, makePacker, monitor);
     }

@@ -5,6 +5,7 @@
 #include <planetree/split/reference.hpp>
 
 #include "split/end_counting.hpp"
+#include "support/bin_of.hpp"
 
 #include <array>
 #include <cstddef>
@@ -23,11 +24,7 @@ class BinScale {
   [[nodiscard]] std::size_t binCount() const noexcept { return binCount_; }
 
   [[nodiscard]] std::size_t binOf(Axis axis, float position) const noexcept {
-    const auto a = static_cast<std::size_t>(axis);
-    // Written so that NaN becomes 0.
-    const float scaled = (position - lower_[a]) * scale_[a];
-    const float above = scaled > 0.0f ? scaled : 0.0f;
-    return static_cast<std::size_t>(static_cast<std::int32_t>(above < last_ ? above : last_));
+    return detail::binOf(position, lower(axis), binsPerLength(axis), last_);
   }
 
   /// For counting.

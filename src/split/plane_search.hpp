@@ -58,11 +58,11 @@ class PlaneSearch {
     double size = 0.0;      ///< of the cell
   };
 
-  /// Between two bins, or between the last bin of an axis and nothing.
+  /// Between two bins of an axis.
   struct Edge {
     double cost = std::numeric_limits<double>::infinity();  ///< of a plane there
     Axis axis = Axis::X;
-    std::size_t bin = 0;  ///< the one above
+    std::size_t bin = 0;  ///< the one above; 0 if there is no edge
   };
 
   enum class Edges : std::uint8_t {

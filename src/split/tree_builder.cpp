@@ -18,9 +18,8 @@ namespace {
 
 // Below this many references one thread builds a subtree alone.
 constexpr std::size_t kSubtreeSize = 1u << 13u;
-// Smaller cells do not ask whether they should be built at all; every so many nodes do.
-constexpr std::size_t kWatchedSize = 256;
-constexpr std::size_t kWatchedNodeCount = 256;
+// After so many nodes a subtree counts its memory.
+constexpr std::size_t kChargedNodeCount = 256;
 
 void addLeaf(std::span<const Reference> references, const Box3& cell, NodeArray& tree) {
   const std::span<std::uint32_t> objects = tree.addLeaf(references.size());
@@ -52,10 +51,8 @@ class TreeBuilder::SubtreeBuilder {
  private:
   /// Builds the cell whose references lie on the stack from `begin` on, and takes them off.
   void build(std::size_t begin, const Task& task, NodeArray& tree) {
-    if (tree.nodes().size() % kWatchedNodeCount == 0) {
-      builder_.monitor_.throwIfStopped();
+    if (tree.nodes().size() % kChargedNodeCount == 0)
       tree.chargeMemory(builder_.monitor_.memory());
-    }
     const std::span<const Reference> references = stack_.from(begin);
     const std::optional<SplitPlane> plane = builder_.findPlane(references, task, search_);
     if (!plane) {
@@ -133,7 +130,6 @@ TreePieces TreeBuilder::buildPieces(CellReferences cellReferences, const Task& t
   // On the heap, and gone before the children are built: there may be as many on the way.
   const std::optional<SplitPlane> plane =
       findPlane(references, task, *std::make_unique<PlaneSearch>(options_));
-  monitor_.throwIfStopped();
   if (!plane) {
     NodeArray leaf;
     addLeaf(references, task.cell, leaf);
@@ -160,11 +156,10 @@ std::optional<SplitPlane> TreeBuilder::findPlane(std::span<const Reference> refe
                                                  const Task& task, PlaneSearch& search) const {
   if (references.size() <= options_.leafSize || task.level == depthLimit_)
     return std::nullopt;
-  if (references.size() >= kWatchedSize)
-    monitor_.throwIfStopped();
   const double limit = options_.stopsByCost ? options_.cost.leafCost(references.size())
                                             : std::numeric_limits<double>::infinity();
   const std::optional<SplitPlane> plane = search.find(references, task.cell, limit);
+  monitor_.throwIfStopped();
   if (!plane)
     return std::nullopt;
   const bool hasEmptySide = plane->leftCount == 0 || plane->rightCount == 0;

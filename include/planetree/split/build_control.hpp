@@ -16,15 +16,14 @@ struct BuildProgress {
 /// A hand on a build while it runs. Without any of it a build is left to itself.
 ///
 ///     std::stop_source stop;
-///     const BuildControl control = {
-///         .onProgress = [&](const BuildProgress& progress) { window.showProgress(progress.done);
-///         }, .stopToken = stop.get_token()};
+///     BuildControl control;
+///     control.onProgress = [&](const BuildProgress& progress) { bar.show(progress.done); };
+///     control.stopToken = stop.get_token();
 ///     const auto tree = buildTree(mesh.view(), BuildOptions::fast(), control);
 struct BuildControl {
   /// Told now and then how far the build has come, and once at the end, with 1. Called from the
   /// threads that build, never by two at a time; it should be quick, and must not wait for oneTBB
-  /// tasks. What it throws ends the build
-  /// and comes out of `buildTree`.
+  /// tasks. What it throws ends the build and comes out of `buildTree`.
   std::function<void(const BuildProgress&)> onProgress = {};
 
   /// Ends the build soon after a stop is requested: `buildTree` throws `Cancelled`, and all memory

@@ -45,7 +45,7 @@ struct BuildOptions {
 
   /// Take splits back that turn out not to pay, once all below them is built and it is known what
   /// it costs a query: "pruning"; Havran, "Heuristic ray shooting algorithms", dissertation, CTU
-  /// Prague 2000. For faces only. Takes twice as long as all the rest.
+  /// Prague 2000. For faces only. Takes longer than all the rest.
   bool retractsSplits = false;
 
   /// How many references there may be for each object, on average; 0 sets no bound. Large faces

@@ -2,7 +2,7 @@
 
 #include <planetree/node/validate_tree.hpp>
 
-#include "unit/node/expect_node.hpp"
+#include "unit/node/write_nodes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,16 +15,10 @@
 namespace planetree::detail {
 namespace {
 
+using test::addLeaf;
 using test::expectLeaf;
 using test::expectSplit;
-
-constexpr Box3 kUnitCube = {.lower = {0, 0, 0}, .upper = {1, 1, 1}};
-
-void addLeaf(NodeArray& array, const std::vector<std::uint32_t>& objects) {
-  const std::span<std::uint32_t> room = array.addLeaf(objects.size());
-  ASSERT_EQ(room.size(), objects.size());
-  std::copy(objects.begin(), objects.end(), room.begin());
-}
+using test::kUnitCube;
 
 void expectReferences(const NodeArray& array, const std::vector<std::uint32_t>& wanted) {
   const auto references = array.references();

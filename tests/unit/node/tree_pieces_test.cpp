@@ -2,7 +2,7 @@
 
 #include <planetree/node/validate_tree.hpp>
 
-#include "unit/node/expect_node.hpp"
+#include "unit/node/write_nodes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +14,10 @@
 namespace planetree::detail {
 namespace {
 
+using test::addLeaf;
 using test::expectLeaf;
 using test::expectSplit;
-
-constexpr Box3 kUnitCube = {.lower = {0, 0, 0}, .upper = {1, 1, 1}};
-
-void addLeaf(NodeArray& array, const std::vector<std::uint32_t>& objects) {
-  std::ranges::copy(objects, array.addLeaf(objects.size()).begin());
-}
+using test::kUnitCube;
 
 TreePieces leaf(const std::vector<std::uint32_t>& objects) {
   NodeArray array;

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <planetree/geometry/box3.hpp>
 #include <planetree/node/node.hpp>
+
+#include "node/node_array.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace planetree::test {
 
@@ -19,6 +25,15 @@ inline void expectSplit(const Node& node, Axis axis, float position, std::uint32
   EXPECT_EQ(node.split().axis(), axis);
   EXPECT_EQ(node.split().position(), position);
   EXPECT_EQ(node.split().rightOffset(), rightOffset);
+}
+
+inline constexpr Box3 kUnitCube = {.lower = {0, 0, 0}, .upper = {1, 1, 1}};
+
+/// Adds a leaf with these objects.
+inline void addLeaf(detail::NodeArray& array, const std::vector<std::uint32_t>& objects) {
+  const std::span<std::uint32_t> room = array.addLeaf(objects.size());
+  ASSERT_EQ(room.size(), objects.size());
+  std::copy(objects.begin(), objects.end(), room.begin());
 }
 
 }  // namespace planetree::test
