@@ -16,6 +16,14 @@ constexpr std::size_t kMostSweptOfBins = 16;
 /// What a block holds on average of faces that share their corners.
 constexpr double kFacesPerBlock = 12.0;
 
+/// A block is divided further where rays start: the walls of a room fit into one, but a ray inside
+/// meets but one of them. What a slot for each part costs, in terms of a block for all; and how
+/// much of the visits must begin inside for a division to be tried at all.
+constexpr double kSlotCost = 0.03;
+constexpr double kLeastOfOrigins = 0.1;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /// From here on parts are halved, so that cuts of single objects cannot make the tree too deep: a
 /// leaf has less than 2^32 objects.
 constexpr std::size_t kMaxSweptDepth = kMaxLeafDivisions - 32;
@@ -37,27 +45,56 @@ void LeafDivider::divideRange(std::size_t begin, std::size_t end, std::size_t de
                               std::vector<Part>& parts, std::vector<TriangleBlock>& blocks) {
   const auto places = std::span(places_).subspan(begin, end - begin);
   const std::size_t index = parts.size();
-  parts.push_back({.bounds = boundsOf(places)});
+  const std::size_t firstBlock = blocks.size();
+  const Box3 bounds = boundsOf(places);
+  parts.push_back({.bounds = bounds});
   if (places.empty())
     return;
-  const std::size_t firstBlock = blocks.size();
-  if (fitsIntoOne(places)) {
-    if (packer_ != nullptr)
-      blocks.push_back(packer_->pack(places));
-    else
-      parts[index].first = firstReference_ + places.front();
-  } else {
+  if (!fitsIntoOne(places)) {
     PLANETREE_ASSERT(depth < kMaxLeafDivisions);
     const auto [axis, leftCount] = cut(places, depth);
     parts[index].axis = axis;
     divideRange(begin, begin + leftCount, depth + 1, parts, blocks);
     parts[index].right = static_cast<std::uint32_t>(parts.size());
     divideRange(begin + leftCount, end, depth + 1, parts, blocks);
+  } else if (packer_ == nullptr) {
+    parts[index].first = firstReference_ + places.front();
+  } else {
+    parts.pop_back();
+    const bool mayDivide = depth + places.size() <= kMaxLeafDivisions &&
+                           weight_.ofOrigins(bounds) > kLeastOfOrigins * bounds.surfaceArea();
+    addBlocks(begin, end, mayDivide ? kSlotCost * weight_(bounds) : kInfinity, parts, blocks);
+    return;
   }
   if (packer_ != nullptr) {
     parts[index].first = static_cast<std::uint32_t>(firstBlock);
     parts[index].blockCount = static_cast<std::uint32_t>(blocks.size() - firstBlock);
   }
+}
+
+double LeafDivider::addBlocks(std::size_t begin, std::size_t end, double slotCost,
+                              std::vector<Part>& parts, std::vector<TriangleBlock>& blocks) {
+  const auto places = std::span(places_).subspan(begin, end - begin);
+  const std::size_t index = parts.size();
+  const auto firstBlock = static_cast<std::uint32_t>(blocks.size());
+  parts.push_back({.bounds = boundsOf(places), .first = firstBlock, .blockCount = 1});
+  const double costOfOne = weight_(parts[index].bounds) + slotCost;
+  if (places.size() > 1 && slotCost < kInfinity) {
+    const auto [axis, leftCount] = findBestCut(places);
+    double cost = addBlocks(begin, begin + leftCount, slotCost, parts, blocks);
+    const auto right = static_cast<std::uint32_t>(parts.size());
+    cost += addBlocks(begin + leftCount, end, slotCost, parts, blocks);
+    if (cost < costOfOne) {
+      parts[index].axis = axis;
+      parts[index].right = right;
+      parts[index].blockCount = static_cast<std::uint32_t>(blocks.size()) - firstBlock;
+      return cost;
+    }
+    parts.resize(index + 1);
+    blocks.resize(firstBlock);
+  }
+  blocks.push_back(packer_->pack(places));
+  return costOfOne;
 }
 
 bool LeafDivider::fitsIntoOne(std::span<const std::uint32_t> places) {
@@ -89,25 +126,25 @@ LeafDivider::Cut LeafDivider::findBestCut(std::span<std::uint32_t> places) {
   const std::size_t count = places.size();
   const Vec3f spread = centersOf(places).size();
   Cut best;
-  double bestCost = std::numeric_limits<double>::infinity();
+  double bestCost = kInfinity;
   std::size_t bestImbalance = 0;
   order_.assign(places.begin(), places.end());
-  leftAreas_.resize(count);
-  rightAreas_.resize(count);
+  leftWeights_.resize(count);
+  rightWeights_.resize(count);
   for (const Axis axis : kAxes) {
     // Without any spread all orders are alike; one of them has to do.
     if (!(spread[axis] > 0.0f) && (axis != Axis::Z || best.leftCount != 0))
       continue;
     sortAlong(axis, order_);
     countBlocks(order_, leftCounts_);
-    sumUpAreas(order_, leftAreas_);
+    sumUpWeights(order_, leftWeights_);
     backwards_.assign(order_.rbegin(), order_.rend());
     countBlocks(backwards_, rightCounts_);
-    sumUpAreas(backwards_, rightAreas_);
+    sumUpWeights(backwards_, rightWeights_);
     bool isImproved = false;
     for (std::size_t i = 1; i < count; ++i) {
-      const double cost = leftAreas_[i - 1] * leftCounts_[i - 1] +
-                          rightAreas_[count - i - 1] * rightCounts_[count - i - 1];
+      const double cost = leftWeights_[i - 1] * leftCounts_[i - 1] +
+                          rightWeights_[count - i - 1] * rightCounts_[count - i - 1];
       const std::size_t imbalance = std::max(i, count - i);
       if (cost > bestCost || (cost == bestCost && imbalance >= bestImbalance))
         continue;
@@ -123,14 +160,14 @@ LeafDivider::Cut LeafDivider::findBestCut(std::span<std::uint32_t> places) {
   return best;
 }
 
-void LeafDivider::sumUpAreas(std::span<const std::uint32_t> places,
-                             std::span<double> areas) const noexcept {
+void LeafDivider::sumUpWeights(std::span<const std::uint32_t> places,
+                               std::span<double> weights) const noexcept {
   // No box is empty here, which `Box3::extend` would look for.
   Box3 box;
   for (std::size_t i = 0; i < places.size(); ++i) {
     box.extend(boxes_[places[i]].lower);
     box.extend(boxes_[places[i]].upper);
-    areas[i] = box.surfaceArea();
+    weights[i] = weight_(box);
   }
 }
 

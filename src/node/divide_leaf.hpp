@@ -6,6 +6,7 @@
 #include "node/center_bins.hpp"
 #include "node/leaf_packer.hpp"
 #include "node/part.hpp"
+#include "node/visit_weight.hpp"
 #include "node/wide_node.hpp"
 #include "support/plain_array.hpp"
 #include "support/sort_words.hpp"
@@ -27,14 +28,17 @@ enum class LeafCuts : std::uint8_t {
 /// more than `kMaxLeafDivisions` times one after the other.
 class LeafDivider {
  public:
-  explicit LeafDivider(LeafCuts cuts = LeafCuts::AllPositions) noexcept : cuts_(cuts) {}
+  explicit LeafDivider(LeafCuts cuts = LeafCuts::AllPositions,
+                       const VisitWeight& weight = {}) noexcept
+      : cuts_(cuts), weight_(weight) {}
 
   /// Adds the parts of a leaf to `parts` and its blocks to `blocks`. `boxes` has what each object
   /// has inside the cell; without a packer each object is on its own, and `firstReference` is the
   /// reference of the first one. Objects stay in one leaf, so the boxes of parts may overlap.
   ///
   /// By the surface area heuristic over the centers of the boxes along all axes, where each side
-  /// costs as many tests as it has blocks: MacDonald and Booth, "Heuristics for ray tracing using
+  /// costs as many tests as it has blocks; but what counts is how often rays meet a part, those
+  /// that start inside too (`VisitWeight`): MacDonald and Booth, "Heuristics for ray tracing using
   /// space subdivision", 1990; Wald, "On fast construction of SAH-based bounding volume
   /// hierarchies", 2007. Very large leaves are divided by bins first, in any case. O(n log^2 n).
   void divide(std::span<const Box3> boxes, LeafPacker* packer, std::uint32_t firstReference,
@@ -45,19 +49,25 @@ class LeafDivider {
 
   void divideRange(std::size_t begin, std::size_t end, std::size_t depth, std::vector<Part>& parts,
                    std::vector<TriangleBlock>& blocks);
+  /// Adds triangles that fit into one block: as one, or divided further if that costs less with so
+  /// much for the slot of each part. Returns what they cost.
+  double addBlocks(std::size_t begin, std::size_t end, double slotCost, std::vector<Part>& parts,
+                   std::vector<TriangleBlock>& blocks);
   /// Whether objects are a block, or a single one.
   [[nodiscard]] bool fitsIntoOne(std::span<const std::uint32_t> places);
   [[nodiscard]] Cut cut(std::span<std::uint32_t> places, std::size_t depth);
   [[nodiscard]] Cut halve(std::span<std::uint32_t> places);
   [[nodiscard]] Cut findBestCut(std::span<std::uint32_t> places);
-  /// `areas[i]` becomes the surface area of the first i + 1 of these boxes together.
-  void sumUpAreas(std::span<const std::uint32_t> places, std::span<double> areas) const noexcept;
+  /// `weights[i]` becomes how often rays meet the first i + 1 of these boxes together.
+  void sumUpWeights(std::span<const std::uint32_t> places,
+                    std::span<double> weights) const noexcept;
   void sortAlong(Axis axis, std::span<std::uint32_t> places);
   void countBlocks(std::span<const std::uint32_t> places, std::vector<std::uint32_t>& counts);
   [[nodiscard]] Box3 boundsOf(std::span<const std::uint32_t> places) const noexcept;
   [[nodiscard]] Box3 centersOf(std::span<const std::uint32_t> places) const noexcept;
 
   LeafCuts cuts_;
+  VisitWeight weight_;
   std::span<const Box3> boxes_;
   LeafPacker* packer_ = nullptr;
   std::uint32_t firstReference_ = 0;
@@ -72,8 +82,8 @@ class LeafDivider {
   std::vector<std::uint32_t> backwards_;
   std::vector<std::uint32_t> leftCounts_;
   std::vector<std::uint32_t> rightCounts_;
-  std::vector<double> leftAreas_;
-  std::vector<double> rightAreas_;
+  std::vector<double> leftWeights_;
+  std::vector<double> rightWeights_;
 };
 
 }  // namespace planetree::detail

@@ -17,10 +17,10 @@ struct SubtreeParts {
   MemoryCharge blocksCharge;
 };
 
-SubtreeParts makeSubtreeParts(const NodeArray& tree, LeafCuts cuts, LeafPacker& packer,
-                              MemoryMeter& memory) {
+SubtreeParts makeSubtreeParts(const NodeArray& tree, const VisitWeight& weight, LeafCuts cuts,
+                              LeafPacker& packer, MemoryMeter& memory) {
   SubtreeParts made;
-  LeafDivider divider(cuts);
+  LeafDivider divider(cuts, weight);
   std::vector<std::uint32_t> partOf(tree.nodes().size());
   for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
     partOf[i] = static_cast<std::uint32_t>(made.parts.size());
@@ -67,15 +67,16 @@ void TreeParts::forAllUpwards(const std::function<void(std::size_t part)>& each)
     each(tops[i]);
 }
 
-TreeParts makeParts(TreePieces tree, LeafCuts cuts, const MakeLeafPacker& makePacker,
-                    MemoryMeter& memory, const std::function<void(double part)>& advance) {
+TreeParts makeParts(TreePieces tree, const VisitWeight& weight, LeafCuts cuts,
+                    const MakeLeafPacker& makePacker, MemoryMeter& memory,
+                    const std::function<void(double part)>& advance) {
   std::vector<SubtreeParts> made(tree.subtrees().size());
   std::vector<std::size_t> firstReference(made.size() + 1);
   for (std::size_t i = 0; i < made.size(); ++i)
     firstReference[i + 1] = firstReference[i] + tree.subtrees()[i].references().size();
   const auto total = static_cast<double>(std::max<std::size_t>(firstReference.back(), 1));
   tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
-    made[i] = makeSubtreeParts(tree.takeSubtree(i), cuts, *makePacker(), memory);
+    made[i] = makeSubtreeParts(tree.takeSubtree(i), weight, cuts, *makePacker(), memory);
     advance(static_cast<double>(firstReference[i + 1] - firstReference[i]) / total);
   });
 

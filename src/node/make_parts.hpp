@@ -5,6 +5,7 @@
 #include "node/part.hpp"
 #include "node/tree_pieces.hpp"
 #include "node/triangle_block.hpp"
+#include "node/visit_weight.hpp"
 #include "support/memory_meter.hpp"
 #include "support/plain_array.hpp"
 
@@ -41,10 +42,11 @@ struct TreeParts {
   void forAllUpwards(const std::function<void(std::size_t part)>& each) const;
 };
 
-/// Divides the leaves of the pieces by their objects (`LeafDivider`), in the current oneTBB arena,
+/// Divides the leaves of the pieces by their objects (`LeafDivider`), with what parts of the tree
+/// weigh, in the current oneTBB arena,
 /// and frees them one after the other. `advance` is told what part of the work has been done.
-[[nodiscard]] TreeParts makeParts(TreePieces tree, LeafCuts cuts, const MakeLeafPacker& makePacker,
-                                  MemoryMeter& memory,
+[[nodiscard]] TreeParts makeParts(TreePieces tree, const VisitWeight& weight, LeafCuts cuts,
+                                  const MakeLeafPacker& makePacker, MemoryMeter& memory,
                                   const std::function<void(double part)>& advance);
 
 }  // namespace planetree::detail

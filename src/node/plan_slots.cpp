@@ -25,17 +25,18 @@ double scaleFor(double treeArea) noexcept {
 
 }  // namespace
 
-SlotPlanner::SlotPlanner(double treeArea, std::size_t referenceCount) noexcept
-    : areaScale_(scaleFor(treeArea)),
-      nodeMemoryCost_(kNodePerObjectCost * treeArea * areaScale_ /
+SlotPlanner::SlotPlanner(const Box3& tree, std::size_t referenceCount) noexcept
+    : weight_(tree),
+      scale_(scaleFor(tree.surfaceArea())),
+      nodeMemoryCost_(kNodePerObjectCost * tree.surfaceArea() * scale_ /
                       static_cast<double>(referenceCount)) {}
 
 void SlotPlanner::plan(std::span<const Part> parts, std::size_t index,
                        std::span<SlotPlan> plans) const noexcept {
   SlotPlan& plan = plans[index];
   const Part& part = parts[index];
-  const double area = part.bounds.surfaceArea() * areaScale_;
-  const auto rowCost = static_cast<float>(area * kBlockCost * part.blockCount);
+  const double weight = weight_(part.bounds) * scale_;
+  const auto rowCost = static_cast<float>(weight * kBlockCost * part.blockCount);
   plan.leftSlots.fill(SlotPlan::kRow);
   plan.leftSlotsOfNode = 0;
   if (!part.isSplit()) {
@@ -62,7 +63,7 @@ void SlotPlanner::plan(std::span<const Part> parts, std::size_t index,
                  [](std::uint32_t slots) { return static_cast<std::uint8_t>(slots); });
   plan.leftSlotsOfNode = plan.leftSlots[kSlotCount];
   const float nodeCost =
-      static_cast<float>(area * kNodeCost + nodeMemoryCost_) + plan.cost[kSlotCount];
+      static_cast<float>(weight * kNodeCost + nodeMemoryCost_) + plan.cost[kSlotCount];
   const bool canBeRow = part.blockCount > 0 && part.blockCount <= WideChild::kMaxBlockCount;
   const bool isRow = canBeRow && rowCost <= nodeCost;
   const float oneSlotCost = isRow ? rowCost : nodeCost;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "node/part.hpp"
+#include "node/visit_weight.hpp"
 #include "node/wide_node.hpp"
 
 #include <array>
@@ -12,8 +13,8 @@ namespace planetree::detail {
 
 /// The cheapest way to give a part of the tree at most so many slots of a wide node.
 struct SlotPlan {
-  /// Of all below, for a ray that meets the bounds of the tree, times their area as the planner
-  /// scales it. Infinite with no slot, unless the part is empty, and with no other count.
+  /// Of all below, times how often rays meet it, as the planner scales that. Infinite with no slot,
+  /// unless the part is empty, and with no other count.
   std::array<float, WideNode::kSlotCount + 1> cost;
   /// How many of the slots go to the left child, or what the part is in a single one.
   std::array<std::uint8_t, WideNode::kSlotCount + 1> leftSlots;
@@ -31,15 +32,19 @@ struct SlotPlan {
 /// memory.
 class SlotPlanner {
  public:
-  /// `treeArea` is that of the bounds of the whole tree, of so many references.
-  SlotPlanner(double treeArea, std::size_t referenceCount) noexcept;
+  /// For a tree with these bounds and so many references.
+  SlotPlanner(const Box3& tree, std::size_t referenceCount) noexcept;
+
+  /// How often it takes rays to meet a part.
+  [[nodiscard]] const VisitWeight& weight() const noexcept { return weight_; }
 
   /// Plans a part; its children must be planned.
   void plan(std::span<const Part> parts, std::size_t index,
             std::span<SlotPlan> plans) const noexcept;
 
  private:
-  double areaScale_;
+  VisitWeight weight_;
+  double scale_;
   double nodeMemoryCost_;
 };
 

@@ -20,7 +20,7 @@ constexpr std::size_t kMostReferences = 240;
 class Retractor {
  public:
   Retractor(const NodeArray& tree, LeafCuts cuts, LeafPacker& packer, const SlotPlanner& planner)
-      : tree_(tree), divider_(cuts), packer_(packer), planner_(planner) {}
+      : tree_(tree), divider_(cuts, planner.weight()), packer_(packer), planner_(planner) {}
 
   [[nodiscard]] NodeArray run() {
     copy(0);

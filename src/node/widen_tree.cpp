@@ -88,7 +88,8 @@ WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
   if (bounds.isEmpty())
     return {};
   const std::size_t referenceCount = tree.referenceCount();
-  const TreeParts all = makeParts(std::move(tree), cuts, makePacker, memory,
+  const SlotPlanner planner(bounds, referenceCount);
+  const TreeParts all = makeParts(std::move(tree), planner.weight(), cuts, makePacker, memory,
                                   [&](double part) { advance(kPartOfMakingParts * part); });
   const std::span<const Part> parts = all.parts.values();
   if (parts.front().isEmpty())
@@ -99,7 +100,6 @@ WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
 
   const MemoryCharge plansCharge(memory, parts.size() * (sizeof(SlotPlan) + sizeof(std::uint32_t)));
   PlainArray<SlotPlan> plans(parts.size());
-  const SlotPlanner planner(parts.front().bounds.surfaceArea(), referenceCount);
   all.forAllUpwards([&](std::size_t part) { planner.plan(parts, part, plans.values()); });
   advance(0.0);
   const NodeNumbers numbers = numberNodes(parts, plans.values());

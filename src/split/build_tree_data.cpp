@@ -102,7 +102,7 @@ std::uint32_t commonMaskOf(const std::vector<GeometryEntry<T>>& geometries) noex
 /// Takes back splits in all pieces at once.
 void retractSplits(TreePieces& pieces, const Box3& bounds, LeafCuts cuts,
                    const MakeLeafPacker& makePacker, BuildMonitor& monitor) {
-  const SlotPlanner planner(bounds.surfaceArea(), pieces.referenceCount());
+  const SlotPlanner planner(bounds, pieces.referenceCount());
   const auto total = static_cast<double>(std::max<std::size_t>(pieces.referenceCount(), 1));
   tbb::parallel_for(std::size_t{0}, pieces.subtrees().size(), [&](std::size_t i) {
     const NodeArray& subtree = pieces.subtrees()[i];

@@ -57,9 +57,11 @@ struct Divided {
   }
 };
 
-Divided divideBoxes(std::span<const Box3> boxes, LeafPacker* packer) {
+Divided divideBoxes(std::span<const Box3> boxes, LeafPacker* packer,
+                    const VisitWeight& weight = {}) {
   Divided divided;
-  LeafDivider().divide(boxes, packer, kFirstReference, divided.parts, divided.blocks);
+  LeafDivider(LeafCuts::AllPositions, weight)
+      .divide(boxes, packer, kFirstReference, divided.parts, divided.blocks);
   return divided;
 }
 
@@ -146,6 +148,40 @@ TEST(LeafDivider, CutsBetweenClusters) {
   EXPECT_GT(divided.parts[root.right].bounds.lower.y, 5.0f);
 }
 
+/// Two triangles for each wall of a unit cube.
+std::vector<Box3> wallsOfRoom() {
+  std::vector<Box3> boxes;
+  for (const Axis axis : kAxes) {
+    for (const float position : {0.0f, 1.0f}) {
+      Box3 wall{{0, 0, 0}, {1, 1, 1}};
+      wall.lower[axis] = wall.upper[axis] = position;
+      boxes.insert(boxes.end(), 2, wall);
+    }
+  }
+  return boxes;
+}
+
+TEST(LeafDivider, GivesEachWallOfARoomABlockIfRaysStartThere) {
+  const std::vector<Box3> boxes = wallsOfRoom();
+  CountingPacker packer(16);
+  const Divided divided = divideBoxes(boxes, &packer, VisitWeight({{0, 0, 0}, {1, 1, 1}}));
+  ASSERT_EQ(divided.blocks.size(), 6u);
+  EXPECT_EQ(divided.parts.front().blockCount, 6u);
+  for (const Part& part : divided.parts) {
+    if (!part.isSplit()) {
+      EXPECT_EQ(part.bounds.surfaceArea(), 2.0);
+    }
+  }
+}
+
+TEST(LeafDivider, LeavesTheWallsOfARoomInOneBlockIfRaysStartElsewhere) {
+  const std::vector<Box3> boxes = wallsOfRoom();
+  CountingPacker packer(16);
+  const VisitWeight inLargeTree({{-100, -100, -100}, {100, 100, 100}});
+  EXPECT_EQ(divideBoxes(boxes, &packer, inLargeTree).blocks.size(), 1u);
+  EXPECT_EQ(divideBoxes(boxes, &packer).blocks.size(), 1u);
+}
+
 TEST(LeafDivider, NeverDividesTooOften) {
   // Each box as large as all before it together: the best cuts take one at a time.
   std::vector<Box3> growing;
@@ -153,6 +189,9 @@ TEST(LeafDivider, NeverDividesTooOften) {
     const float size = std::ldexp(1.0f, i - 125);
     growing.push_back({{size, 0, 0}, {2.0f * size, size, size}});
   }
+  CountingPacker packer(16);
+  const VisitWeight inside(growing.back());
+  EXPECT_LE(divideBoxes(growing, &packer, inside).depth(), kMaxLeafDivisions);
   EXPECT_LE(divideBoxes(growing, nullptr).depth(), kMaxLeafDivisions);
   EXPECT_GT(divideBoxes(growing, nullptr).depth(), 12u);
   const std::vector<Box3> equal(100'000, Box3{{0, 0, 0}, {1, 1, 1}});
