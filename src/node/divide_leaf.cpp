@@ -20,7 +20,7 @@ constexpr double kFacesPerBlock = 12.0;
 /// meets but one of them. What a slot for each part costs, in terms of a block for all; and how
 /// much of the visits must begin inside for a division to be tried at all.
 constexpr double kSlotCost = 0.03;
-constexpr double kLeastOfOrigins = 0.1;
+constexpr double kLeastOfOrigins = 0.5;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
