@@ -707,7 +707,7 @@ HWY_INLINE bool search(WideQuery& query, ProgressOf<Goal>& progress) {
     if (pause == Pause::End)
       return progress.found;
     if (pause == Pause::Object)
-      progress.found |= query.tests.testObject(query, progress.object.reference());
+      progress.found |= query.tests.testObject(query, progress.object.objectNumber());
     else if constexpr (Goal::kHandsOver)
       progress.found |=
           handOverCandidates(query, *progress.block, progress.sheared, progress.lanes);

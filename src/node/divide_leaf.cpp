@@ -30,12 +30,12 @@ constexpr std::size_t kMaxSweptDepth = kMaxLeafDivisions - 32;
 
 }  // namespace
 
-void LeafDivider::divide(std::span<const Box3> boxes, LeafPacker* packer,
-                         std::uint32_t firstReference, std::vector<Part>& parts,
+void LeafDivider::divide(std::span<const std::uint32_t> objects, std::span<const Box3> boxes,
+                         LeafPacker* packer, std::vector<Part>& parts,
                          std::vector<TriangleBlock>& blocks) {
   boxes_ = boxes;
   packer_ = packer;
-  firstReference_ = firstReference;
+  objects_ = objects;
   places_.resize(boxes.size());
   std::iota(places_.begin(), places_.end(), 0u);
   divideRange(0, boxes.size(), 0, parts, blocks);
@@ -58,7 +58,7 @@ void LeafDivider::divideRange(std::size_t begin, std::size_t end, std::size_t de
     parts[index].right = static_cast<std::uint32_t>(parts.size());
     divideRange(begin + leftCount, end, depth + 1, parts, blocks);
   } else if (packer_ == nullptr) {
-    parts[index].first = firstReference_ + places.front();
+    parts[index].first = objects_[places.front()];
   } else {
     parts.pop_back();
     const bool mayDivide = depth + places.size() <= kMaxLeafDivisions &&

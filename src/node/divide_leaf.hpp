@@ -32,17 +32,17 @@ class LeafDivider {
                        const VisitWeight& weight = {}) noexcept
       : cuts_(cuts), weight_(weight) {}
 
-  /// Adds the parts of a leaf to `parts` and its blocks to `blocks`. `boxes` has what each object
-  /// has inside the cell; without a packer each object is on its own, and `firstReference` is the
-  /// reference of the first one. Objects stay in one leaf, so the boxes of parts may overlap.
+  /// Adds the parts of a leaf to `parts` and its blocks to `blocks`. `boxes` has what each of
+  /// the objects has inside the cell; without a packer each is on its own. Objects stay in one
+  /// leaf, so the boxes of parts may overlap.
   ///
   /// By the surface area heuristic over the centers of the boxes along all axes, where each side
   /// costs as many tests as it has blocks; but what counts is how often rays meet a part, those
   /// that start inside too (`VisitWeight`): MacDonald and Booth, "Heuristics for ray tracing using
   /// space subdivision", 1990; Wald, "On fast construction of SAH-based bounding volume
   /// hierarchies", 2007. Very large leaves are divided by bins first, in any case. O(n log^2 n).
-  void divide(std::span<const Box3> boxes, LeafPacker* packer, std::uint32_t firstReference,
-              std::vector<Part>& parts, std::vector<TriangleBlock>& blocks);
+  void divide(std::span<const std::uint32_t> objects, std::span<const Box3> boxes,
+              LeafPacker* packer, std::vector<Part>& parts, std::vector<TriangleBlock>& blocks);
 
  private:
   using Cut = CenterBins::Cut;
@@ -70,7 +70,7 @@ class LeafDivider {
   VisitWeight weight_;
   std::span<const Box3> boxes_;
   LeafPacker* packer_ = nullptr;
-  std::uint32_t firstReference_ = 0;
+  std::span<const std::uint32_t> objects_;
   std::vector<std::uint32_t> places_;  ///< indices of the boxes, those of each part together
 
   // Room that is used again.

@@ -1,5 +1,9 @@
 #include "node/make_parts.hpp"
 
+#include <planetree/error.hpp>
+
+#include "node/wide_node.hpp"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -17,6 +21,14 @@ struct SubtreeParts {
   MemoryCharge blocksCharge;
 };
 
+/// Of the objects of a leaf, in rising order.
+void requireNumbersFit(std::span<const std::uint32_t> objects) {
+  if (objects.empty() || objects.back() <= WideChild::kMaxObject)
+    return;
+  throw Error(ErrorCode::CapacityExceeded, "the scene has too many objects",
+              "Divide the scene into several trees.");
+}
+
 SubtreeParts makeSubtreeParts(const NodeArray& tree, const VisitWeight& weight, LeafCuts cuts,
                               LeafPacker& packer, MemoryMeter& memory) {
   SubtreeParts made;
@@ -30,9 +42,12 @@ SubtreeParts makeSubtreeParts(const NodeArray& tree, const VisitWeight& weight, 
       continue;
     }
     const std::uint32_t first = node.leaf().firstReference();
-    const bool isPacked = packer.open(tree.references().subspan(first, node.leaf().count()));
-    divider.divide(tree.boxes().subspan(first, node.leaf().count()), isPacked ? &packer : nullptr,
-                   first, made.parts, made.blocks);
+    const auto objects = tree.references().subspan(first, node.leaf().count());
+    const bool isPacked = packer.open(objects);
+    if (!isPacked)
+      requireNumbersFit(objects);
+    divider.divide(objects, tree.boxes().subspan(first, node.leaf().count()),
+                   isPacked ? &packer : nullptr, made.parts, made.blocks);
   }
   for (std::size_t i = tree.nodes().size(); i-- > 0;) {
     if (tree.nodes()[i].isLeaf())
@@ -47,11 +62,12 @@ SubtreeParts makeSubtreeParts(const NodeArray& tree, const VisitWeight& weight, 
 
 /// Moves parts to where they are in the whole.
 void place(std::span<const Part> from, std::size_t firstPart, std::size_t firstBlock,
-           std::size_t firstReference, PlainArray<Part>& to) {
+           PlainArray<Part>& to) {
   std::transform(from.begin(), from.end(), to.data() + firstPart, [&](Part part) {
     if (part.isSplit())
       part.right += static_cast<std::uint32_t>(firstPart);
-    part.first += static_cast<std::uint32_t>(part.blockCount > 0 ? firstBlock : firstReference);
+    if (part.blockCount > 0)
+      part.first += static_cast<std::uint32_t>(firstBlock);
     return part;
   });
 }
@@ -71,13 +87,11 @@ TreeParts makeParts(TreePieces tree, const VisitWeight& weight, LeafCuts cuts,
                     const MakeLeafPacker& makePacker, MemoryMeter& memory,
                     const std::function<void(double part)>& advance) {
   std::vector<SubtreeParts> made(tree.subtrees().size());
-  std::vector<std::size_t> firstReference(made.size() + 1);
-  for (std::size_t i = 0; i < made.size(); ++i)
-    firstReference[i + 1] = firstReference[i] + tree.subtrees()[i].references().size();
-  const auto total = static_cast<double>(std::max<std::size_t>(firstReference.back(), 1));
+  const auto total = static_cast<double>(std::max<std::size_t>(tree.referenceCount(), 1));
   tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+    const auto count = static_cast<double>(tree.subtrees()[i].references().size());
     made[i] = makeSubtreeParts(tree.takeSubtree(i), weight, cuts, *makePacker(), memory);
-    advance(static_cast<double>(firstReference[i + 1] - firstReference[i]) / total);
+    advance(count / total);
   });
 
   const std::vector<TreePieces::Place>& top = tree.top();
@@ -104,7 +118,7 @@ TreeParts makeParts(TreePieces tree, const VisitWeight& weight, LeafCuts cuts,
   all.parts.resize(partCount);
   tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
     const TreeParts::Piece& piece = all.pieces[i];
-    place(made[i].parts, piece.firstPart, piece.firstBlock, firstReference[i], all.parts);
+    place(made[i].parts, piece.firstPart, piece.firstBlock, all.parts);
     made[i] = {};
   });
   for (std::size_t i = top.size(); i-- > 0;) {

@@ -15,7 +15,7 @@ struct Part {
   Box3 bounds = {};              ///< of the contents; empty if there is nothing in it
   Axis axis = Axis::X;           ///< of a split: the left child lies before the right one along it
   std::uint32_t right = 0;       ///< of a split: index of its right child, the left one comes next
-  std::uint32_t first = 0;       ///< the first block, or the reference of a single object
+  std::uint32_t first = 0;       ///< the first block, or the number of a single object
   std::uint32_t blockCount = 0;  ///< blocks that hold all that is in it; 0 if there is no such row
 
   [[nodiscard]] bool isSplit() const noexcept { return right != 0; }

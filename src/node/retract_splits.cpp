@@ -106,7 +106,7 @@ class Retractor {
     const std::size_t firstPart = parts_.size();
     const bool isPacked = packer_.open(objects);
     blocks_.clear();
-    divider_.divide(boxes, isPacked ? &packer_ : nullptr, 0, parts_, blocks_);
+    divider_.divide(objects, boxes, isPacked ? &packer_ : nullptr, parts_, blocks_);
     planFrom(firstPart, parts_.size());
     return isPacked;
   }

@@ -31,7 +31,7 @@ class WideChild {
   static constexpr std::uint32_t kMaxNodeIndex = 0x7FFF'FFFFu;
   static constexpr std::uint32_t kMaxBlockIndex = 0x07FF'FFFFu;
   static constexpr std::uint32_t kMaxBlockCount = 8;
-  static constexpr std::uint32_t kMaxReference = 0x3FFF'FFFEu;
+  static constexpr std::uint32_t kMaxObject = 0x3FFF'FFFEu;
 
   constexpr WideChild() = default;
 
@@ -43,13 +43,13 @@ class WideChild {
                                                   std::uint32_t count) noexcept {
     return WideChild(kLeafBit | first << 3 | (count - 1));
   }
-  /// A single object, by the index of its reference in the binary form.
-  [[nodiscard]] static constexpr WideChild object(std::uint32_t reference) noexcept {
-    return WideChild(kLeafBit | kObjectBit | reference);
+  /// A single object, by its number in the tree.
+  [[nodiscard]] static constexpr WideChild object(std::uint32_t number) noexcept {
+    return WideChild(kLeafBit | kObjectBit | number);
   }
 
   /// Nothing: the end of a search.
-  [[nodiscard]] static constexpr WideChild end() noexcept { return object(kMaxReference + 1); }
+  [[nodiscard]] static constexpr WideChild end() noexcept { return object(kMaxObject + 1); }
 
   [[nodiscard]] static constexpr WideChild fromWord(std::uint32_t word) noexcept {
     return WideChild(word);
@@ -65,7 +65,7 @@ class WideChild {
     return (word_ & ~(kLeafBit | kObjectBit)) >> 3;
   }
   [[nodiscard]] constexpr std::uint32_t blockCount() const noexcept { return (word_ & 7u) + 1; }
-  [[nodiscard]] constexpr std::uint32_t reference() const noexcept {
+  [[nodiscard]] constexpr std::uint32_t objectNumber() const noexcept {
     return word_ & ~(kLeafBit | kObjectBit);
   }
 

@@ -94,8 +94,6 @@ WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
   const std::span<const Part> parts = all.parts.values();
   if (parts.front().isEmpty())
     return {};
-  // That references fit, the binary form sees to.
-  static_assert(WideChild::kMaxReference == kMaxReferenceCount - 1);
   requireRoom(all.blockCount, WideChild::kMaxBlockIndex, "blocks");
 
   const MemoryCharge plansCharge(memory, parts.size() * (sizeof(SlotPlan) + sizeof(std::uint32_t)));

@@ -71,8 +71,8 @@ class WideSearch : public WideQuery {
  private:
   static constexpr WideTests kTests = {
       .testObject =
-          [](WideQuery& wide, std::uint32_t reference) noexcept {
-            return static_cast<WideSearch&>(wide).testReference(reference);
+          [](WideQuery& wide, std::uint32_t object) noexcept {
+            return static_cast<WideSearch&>(wide).testObject(object);
           },
       .testCandidates =
           [](WideQuery& wide, Candidates& candidates) noexcept {
@@ -86,12 +86,12 @@ class WideSearch : public WideQuery {
     return *query_;
   }
 
-  [[nodiscard]] bool testReference(std::uint32_t reference) noexcept {
+  [[nodiscard]] bool testObject(const std::uint32_t& object) noexcept {
     // Objects of other kinds must know what they compete with.
     if (hitBlock != nullptr)
       hit_ = hitInBlock();
     Unobserved unobserved;
-    const bool found = visitLeaf<Goal>(LeafNode(reference, 1), query(), hit_, unobserved);
+    const bool found = visitObjects<Goal>(std::span(&object, 1), query(), hit_, unobserved);
     if (found)
       normalIsMissing_ = false;
     return takeOver(found);

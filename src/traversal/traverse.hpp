@@ -135,13 +135,13 @@ struct Query : Request<T> {
   }
 };
 
-/// Tests the objects of a leaf, one run per geometry. Returns whether `hit` was replaced, or the
-/// sink kept one.
+/// Tests objects in rising order of their numbers, one run per geometry. Returns whether `hit` was
+/// replaced, or the sink kept one.
 template <class Goal, class Observer, class T>
-bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
-               Observer& observer) noexcept(!Observer::kMayThrow) {
+bool visitObjects(std::span<const std::uint32_t> objects, const Query<T>& query, Hit<T>& hit,
+                  Observer& observer) noexcept(!Observer::kMayThrow) {
   const auto geometries = query.tree.geometries;
-  auto rest = query.tree.references.subspan(leaf.firstReference(), leaf.count());
+  auto rest = objects;
   bool found = false;
   while (!rest.empty()) {
     const std::uint32_t geometry = geometryOf(geometries, rest.front());
@@ -171,6 +171,14 @@ bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
       return true;
   }
   return found;
+}
+
+/// Tests the objects of a leaf.
+template <class Goal, class Observer, class T>
+bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
+               Observer& observer) noexcept(!Observer::kMayThrow) {
+  return visitObjects<Goal>(query.tree.references.subspan(leaf.firstReference(), leaf.count()),
+                            query, hit, observer);
 }
 
 /// Visits, front to back, the leaves below `start` that the ray may meet within `part`, as long as

@@ -20,8 +20,8 @@ struct WideQuery;
 
 /// What kernels leave to others. True if what is tested answers the query or lowers `hitT`.
 struct WideTests {
-  /// Tests the object of a reference, one that is in no block.
-  bool (*testObject)(WideQuery& query, std::uint32_t reference) noexcept;
+  /// Tests the object with this number, one that is in no block.
+  bool (*testObject)(WideQuery& query, std::uint32_t object) noexcept;
   /// Tests triangles with the corners of their mesh, for queries that hand them over.
   bool (*testCandidates)(WideQuery& query, Candidates& candidates) noexcept;
 };

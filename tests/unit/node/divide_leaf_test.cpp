@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <span>
 #include <vector>
@@ -15,7 +16,7 @@
 namespace planetree::detail {
 namespace {
 
-constexpr std::uint32_t kFirstReference = 1000;
+constexpr std::uint32_t kFirstObject = 1000;
 
 /// Puts so many objects into a block, whatever they are.
 class CountingPacker final : public LeafPacker {
@@ -57,11 +58,17 @@ struct Divided {
   }
 };
 
+std::vector<std::uint32_t> numbersOf(std::span<const Box3> boxes) {
+  std::vector<std::uint32_t> numbers(boxes.size());
+  std::iota(numbers.begin(), numbers.end(), kFirstObject);
+  return numbers;
+}
+
 Divided divideBoxes(std::span<const Box3> boxes, LeafPacker* packer,
                     const VisitWeight& weight = {}) {
   Divided divided;
   LeafDivider(LeafCuts::AllPositions, weight)
-      .divide(boxes, packer, kFirstReference, divided.parts, divided.blocks);
+      .divide(numbersOf(boxes), boxes, packer, divided.parts, divided.blocks);
   return divided;
 }
 
@@ -110,15 +117,15 @@ TEST(LeafDivider, LeavesObjectsOnTheirOwnWithoutAPacker) {
   const std::vector<Box3> boxes = randomBoxes(50, 0.1f);
   const Divided divided = divideBoxes(boxes, nullptr);
   EXPECT_TRUE(divided.blocks.empty());
-  std::set<std::uint32_t> references;
+  std::set<std::uint32_t> objects;
   for (const Part& part : divided.parts) {
     EXPECT_EQ(part.blockCount, 0u);
     if (part.isSplit())
       continue;
-    references.insert(part.first);
-    EXPECT_EQ(part.bounds, boxes.at(part.first - kFirstReference));
+    objects.insert(part.first);
+    EXPECT_EQ(part.bounds, boxes.at(part.first - kFirstObject));
   }
-  EXPECT_EQ(references.size(), boxes.size());
+  EXPECT_EQ(objects.size(), boxes.size());
   EXPECT_EQ(divided.parts.size(), 2 * boxes.size() - 1);
 }
 
@@ -205,7 +212,7 @@ TEST(LeafDivider, GivesTheSamePartsEachTime) {
   LeafDivider used;
   for (int round = 0; round < 2; ++round) {
     Divided again;
-    used.divide(boxes, &packer, kFirstReference, again.parts, again.blocks);
+    used.divide(numbersOf(boxes), boxes, &packer, again.parts, again.blocks);
     ASSERT_EQ(again.parts.size(), first.parts.size());
     for (std::size_t i = 0; i < first.parts.size(); ++i) {
       EXPECT_EQ(again.parts[i].bounds, first.parts[i].bounds);

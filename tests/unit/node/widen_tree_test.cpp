@@ -32,7 +32,7 @@ class WideWalk {
     if (child.isNode()) {
       visitNode(wide_.nodes[child.nodeIndex()], outer);
     } else if (child.isObject()) {
-      objects.insert(tree_.references[child.reference()]);
+      objects.insert(child.objectNumber());
     } else {
       for (std::uint32_t i = 0; i < child.blockCount(); ++i) {
         const TriangleBlock& block = wide_.blocks[child.firstBlock() + i];
@@ -173,7 +173,7 @@ TEST(WidenTree, GivesEachShapeTheBoxOfItsOwn) {
       if (!isFilled || !node.children[slot].isObject())
         continue;
       ++seenCount;
-      const Box3 bounds = tree.object(view.references[node.children[slot].reference()]).bounds();
+      const Box3 bounds = tree.object(node.children[slot].objectNumber()).bounds();
       for (const Axis axis : kAxes) {
         const auto i = 2 * static_cast<std::size_t>(axis);
         const float center = view.wide->frame.center[i / 2];
