@@ -48,7 +48,9 @@ class WideSearch : public WideQuery {
       ray = &request_.asked.origin.x;
       return true;
     } else {
-      return prepare(query().ray);
+      const PreparedRay<T> prepared(request_.asked, tree_.bounds);
+      sheared_ = prepared.sheared;
+      return prepare(prepared);
     }
   }
 
@@ -80,10 +82,10 @@ class WideSearch : public WideQuery {
           }};
 
   /// The ray as single objects see it, made when the first of them asks.
-  [[nodiscard]] const Query<T>& query() noexcept {
-    if (!query_)
-      query_.emplace(request_);
-    return *query_;
+  [[nodiscard]] const ShearedRay<T>& sheared() noexcept {
+    if (!sheared_)
+      sheared_.emplace(request_.asked);
+    return *sheared_;
   }
 
   [[nodiscard]] bool testObject(const std::uint32_t& object) noexcept {
@@ -91,7 +93,8 @@ class WideSearch : public WideQuery {
     if (hitBlock != nullptr)
       hit_ = hitInBlock();
     Unobserved unobserved;
-    const bool found = visitObjects<Goal>(std::span(&object, 1), query(), hit_, unobserved);
+    const bool found =
+        visitObjects<Goal>(std::span(&object, 1), request_, sheared(), hit_, unobserved);
     if (found)
       normalIsMissing_ = false;
     return takeOver(found);
@@ -124,10 +127,10 @@ class WideSearch : public WideQuery {
       return false;
     if constexpr (Goal::kOffersHits) {
       const LeafRun run{std::span(&object, 1), entry.firstObject, geometry};
-      return takeOver(entry.intersecting
-                          ->offerHits(entry.range, run, query().ray.sheared, request_.interval.tMin,
-                                      *request_.sink)
-                          .found);
+      return takeOver(
+          entry.intersecting
+              ->offerHits(entry.range, run, sheared(), request_.interval.tMin, *request_.sink)
+              .found);
     } else {
       return takeOver(intersectFace(entry, geometry, object - entry.firstObject));
     }
@@ -138,8 +141,7 @@ class WideSearch : public WideQuery {
                                    std::uint32_t face) noexcept {
     const auto [from, to] = request_.interval;
     const auto [a, b, c] = meshOf(entry).corners(face);
-    const auto at =
-        intersectTriangle(query().ray.sheared, a, b, c, from, hit_.t < to ? hit_.t : to);
+    const auto at = intersectTriangle(sheared(), a, b, c, from, hit_.t < to ? hit_.t : to);
     if (!at || Goal::kStopsAtAnyHit)
       return at.has_value();
     const Hit<T> candidate = {
@@ -199,7 +201,7 @@ class WideSearch : public WideQuery {
   const Request<T>& request_;
   const TreeView<T>& tree_;
   Hit<T>& hit_;  ///< the best so far, but for one in a block
-  std::optional<Query<T>> query_;
+  std::optional<ShearedRay<T>> sheared_;
   bool normalIsMissing_ = false;
 };
 

@@ -49,7 +49,7 @@ struct EveryOffer {
 };
 
 template <class T>
-struct Query;
+struct Request;
 
 /// What an observer is told of a search; this one listens to nothing and costs nothing.
 struct Unobserved {
@@ -62,7 +62,7 @@ struct Unobserved {
   void visitLeaf(const Node&, const Interval<T>&) noexcept {}
   /// Of a run of the leaf's objects, so many have been tested.
   template <class T>
-  void testObjects(const Query<T>&, const GeometryEntry<T>&, const LeafRun&,
+  void testObjects(const Request<T>&, const ShearedRay<T>&, const GeometryEntry<T>&, const LeafRun&,
                    std::uint32_t) noexcept {}
   /// A child that waited lies beyond the nearest hit.
   template <class T>
@@ -85,7 +85,7 @@ struct Counting : Unobserved {
     ++steps.leafNodes;
   }
   template <class T>
-  void testObjects(const Query<T>&, const GeometryEntry<T>&, const LeafRun&,
+  void testObjects(const Request<T>&, const ShearedRay<T>&, const GeometryEntry<T>&, const LeafRun&,
                    std::uint32_t testedCount) noexcept {
     steps.objects += testedCount;
   }
@@ -138,9 +138,10 @@ struct Query : Request<T> {
 /// Tests objects in rising order of their numbers, one run per geometry. Returns whether `hit` was
 /// replaced, or the sink kept one.
 template <class Goal, class Observer, class T>
-bool visitObjects(std::span<const std::uint32_t> objects, const Query<T>& query, Hit<T>& hit,
+bool visitObjects(std::span<const std::uint32_t> objects, const Request<T>& request,
+                  const ShearedRay<T>& ray, Hit<T>& hit,
                   Observer& observer) noexcept(!Observer::kMayThrow) {
-  const auto geometries = query.tree.geometries;
+  const auto geometries = request.tree.geometries;
   auto rest = objects;
   bool found = false;
   while (!rest.empty()) {
@@ -155,17 +156,16 @@ bool visitObjects(std::span<const std::uint32_t> objects, const Query<T>& query,
     }
     const LeafRun run{rest.first(count), entry.firstObject, geometry};
     rest = rest.subspan(count);
-    if (!query.sees(entry))
+    if (!request.sees(entry))
       continue;
 
-    const auto [tMin, tMax] = query.interval;
+    const auto [tMin, tMax] = request.interval;
     const IntersectionTable<T>& table = *entry.intersecting;
-    const ShearedRay<T>& ray = query.ray.sheared;
     const LeafAnswer answer =
-        Goal::kOffersHits      ? table.offerHits(entry.range, run, ray, tMin, *query.sink)
+        Goal::kOffersHits      ? table.offerHits(entry.range, run, ray, tMin, *request.sink)
         : Goal::kStopsAtAnyHit ? table.findAny(entry.range, run, ray, tMin, tMax)
                                : table.findNearest(entry.range, run, ray, tMin, tMax, hit);
-    observer.testObjects(query, entry, run, answer.testedCount);
+    observer.testObjects(request, ray, entry, run, answer.testedCount);
     found |= answer.found;
     if (Goal::kStopsAtAnyHit && found)
       return true;
@@ -178,7 +178,7 @@ template <class Goal, class Observer, class T>
 bool visitLeaf(const LeafNode& leaf, const Query<T>& query, Hit<T>& hit,
                Observer& observer) noexcept(!Observer::kMayThrow) {
   return visitObjects<Goal>(query.tree.references.subspan(leaf.firstReference(), leaf.count()),
-                            query, hit, observer);
+                            query, query.ray.sheared, hit, observer);
 }
 
 /// Visits, front to back, the leaves below `start` that the ray may meet within `part`, as long as

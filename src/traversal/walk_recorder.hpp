@@ -46,12 +46,12 @@ class WalkRecorder {
     ++walk_.counts.leafNodes;
   }
 
-  void testObjects(const Query<T>& query, const GeometryEntry<T>& entry, const LeafRun& run,
-                   std::uint32_t testedCount) {
+  void testObjects(const Request<T>& request, const ShearedRay<T>& ray,
+                   const GeometryEntry<T>& entry, const LeafRun& run, std::uint32_t testedCount) {
     LeafStep<T>& leaf = std::get<LeafStep<T>>(walk_.steps.back());
     for (std::size_t i = 0; i < testedCount; ++i) {
       const LeafRun object{run.references.subspan(i, 1), run.firstObject, run.geometry};
-      leaf.tests.push_back(testAlone(query, entry, object));
+      leaf.tests.push_back(testAlone(request, ray, entry, object));
     }
     walk_.counts.objects += testedCount;
   }
@@ -89,16 +89,15 @@ class WalkRecorder {
   }
 
   /// The first hit of one object that counts, whatever else was hit before.
-  [[nodiscard]] ObjectTest<T> testAlone(const Query<T>& query, const GeometryEntry<T>& entry,
-                                        const LeafRun& object) {
-    const auto [tMin, tMax] = query.interval;
+  [[nodiscard]] ObjectTest<T> testAlone(const Request<T>& request, const ShearedRay<T>& ray,
+                                        const GeometryEntry<T>& entry, const LeafRun& object) {
+    const auto [tMin, tMax] = request.interval;
     ObjectTest<T> test{.geometry = object.geometry,
                        .primitive = object.references.front() - object.firstObject,
                        .hit = {},
                        .isAccepted = false};
     Hit<T> hit;
     const IntersectionTable<T>& table = *entry.intersecting;
-    const ShearedRay<T>& ray = query.ray.sheared;
     bool found = false;
     if (choices_ != nullptr) {
       NearestSink<T> sink(*choices_, tMax, hit);
