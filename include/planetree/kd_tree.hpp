@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planetree/any_object.hpp>
+#include <planetree/batch/trace_batch.hpp>
 #include <planetree/detail/leaf_objects.hpp>
 #include <planetree/detail/tree_data.hpp>
 #include <planetree/node/node.hpp>
@@ -25,9 +26,9 @@ namespace planetree {
 /// A kd-tree over objects, made by `buildTree` and never changed after. It answers which object a
 /// ray hits first, and whether it hits any.
 ///
-/// Every query may be made from any number of threads at once; all but the explained ones are
-/// `noexcept` and allocate nothing. Copies are cheap: they share one tree. The coordinates within
-/// which no hit is missed are in docs/limits.md.
+/// Every query may be made from any number of threads at once; all but batches and explained ones
+/// are `noexcept` and allocate nothing. Copies are cheap: they share one tree. The coordinates
+/// within which no hit is missed are in docs/limits.md.
 template <Object O>
 class KdTree {
  public:
@@ -89,6 +90,30 @@ class KdTree {
       const Ray<Scalar>& ray, const Hit<Scalar>& after,
       const QueryOptions& options = {}) const noexcept {
     return planetree::findNextIntersection(view(), ray, after, options);
+  }
+
+  /// Many rays in one call, with the same answers; see trace_batch.hpp. The nearest hit of each
+  /// ray, default-made where it misses, and whether it hits any, as 1 or 0. These return how many
+  /// rays hit something.
+  std::size_t findIntersections(std::span<const Ray<Scalar>> rays, std::span<Hit<Scalar>> hits,
+                                const BatchOptions& options = {},
+                                const BatchControl& control = {}) const {
+    return planetree::findIntersections(view(), rays, hits, options, control);
+  }
+  std::size_t findIntersections(const RayArrays<Scalar>& rays, const HitArrays<Scalar>& hits,
+                                const BatchOptions& options = {},
+                                const BatchControl& control = {}) const {
+    return planetree::findIntersections(view(), rays, hits, options, control);
+  }
+  std::size_t areOccluded(std::span<const Ray<Scalar>> rays, std::span<std::uint8_t> flags,
+                          const BatchOptions& options = {},
+                          const BatchControl& control = {}) const {
+    return planetree::areOccluded(view(), rays, flags, options, control);
+  }
+  std::size_t areOccluded(const RayArrays<Scalar>& rays, std::span<std::uint8_t> flags,
+                          const BatchOptions& options = {},
+                          const BatchControl& control = {}) const {
+    return planetree::areOccluded(view(), rays, flags, options, control);
   }
 
   /// The nearest hit, or any, told step by step, for looking at single rays. These allocate.

@@ -1,6 +1,9 @@
 #pragma once
 
 /// Everything but reading files (mesh/read_mesh.hpp, in the target planetree::io).
+#include <planetree/batch/batch_options.hpp>
+#include <planetree/batch/ray_arrays.hpp>
+#include <planetree/batch/trace_batch.hpp>
 #include <planetree/build_tree.hpp>
 #include <planetree/error.hpp>
 #include <planetree/geometry/axis.hpp>

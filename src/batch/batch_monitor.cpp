@@ -1,0 +1,40 @@
+#include "batch/batch_monitor.hpp"
+
+#include <planetree/error.hpp>
+
+#include <algorithm>
+
+namespace planetree::detail {
+namespace {
+
+constexpr std::chrono::milliseconds kTellingInterval(20);
+constexpr double kMostBeforeTheEnd = 0.999;
+
+}  // namespace
+
+void BatchMonitor::throwIfStopped() const {
+  if (control_.stopToken.stop_requested())
+    throw Cancelled();
+}
+
+void BatchMonitor::advance(std::size_t rayCount) {
+  throwIfStopped();
+  if (!control_.onProgress)
+    return;
+  doneCount_ += rayCount;
+  const std::unique_lock lock(telling_, std::try_to_lock);
+  const Clock::time_point now = Clock::now();
+  if (!lock || now - lastTold_ < kTellingInterval)
+    return;
+  lastTold_ = now;
+  const double done = static_cast<double>(doneCount_) / static_cast<double>(rayCount_);
+  told_ = std::max(told_, std::min(done, kMostBeforeTheEnd));
+  control_.onProgress(told_);
+}
+
+void BatchMonitor::finish() const {
+  if (control_.onProgress)
+    control_.onProgress(1.0);
+}
+
+}  // namespace planetree::detail

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <planetree/batch/batch_options.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+
+namespace planetree::detail {
+
+/// What the caller of a batch sees of it while it runs, and can do to it. For any number of
+/// threads.
+class BatchMonitor {
+ public:
+  BatchMonitor(const BatchControl& control, std::size_t rayCount) noexcept
+      : control_(control), rayCount_(rayCount) {}
+
+  /// Throws `Cancelled` if a stop has been requested.
+  void throwIfStopped() const;
+  /// So many rays more have been traced; throws what the caller throws, or `Cancelled`.
+  void advance(std::size_t rayCount);
+  /// All have been traced.
+  void finish() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const BatchControl& control_;
+  std::size_t rayCount_;
+  std::atomic<std::size_t> doneCount_ = 0;
+  std::mutex telling_;
+  double told_ = 0.0;                          ///< guarded by `telling_`
+  Clock::time_point lastTold_ = Clock::now();  ///< guarded by `telling_`
+};
+
+}  // namespace planetree::detail

@@ -1,0 +1,189 @@
+#include <planetree/batch/trace_batch.hpp>
+#include <planetree/error.hpp>
+#include <planetree/traversal/find_intersection.hpp>
+
+#include "batch/batch_monitor.hpp"
+#include "batch/columns.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+namespace planetree {
+namespace detail {
+namespace {
+
+/// Rays that one thread traces before it looks up: some hundred microseconds.
+constexpr std::size_t kPortion = 4096;
+/// Batches up to this size are not worth waking other threads.
+constexpr std::size_t kMostForOneThread = 1024;
+
+void requireSize(std::size_t size, std::size_t rayCount, const std::string& what) {
+  if (size == rayCount)
+    return;
+  throw Error(ErrorCode::InvalidOption,
+              what + " has room for " + std::to_string(size) + ", and the batch has " +
+                  std::to_string(rayCount) + " rays",
+              "Hand over spans of one size.");
+}
+
+template <class Number>
+void requireSizeIfThere(std::span<Number> array, std::size_t rayCount, const char* name) {
+  if (!array.empty())
+    requireSize(array.size(), rayCount, name);
+}
+
+template <class T>
+void requireSizes(const RayArrays<T>& rays) {
+  const std::size_t count = rays.originX.size();
+  requireSize(rays.originY.size(), count, "originY");
+  requireSize(rays.originZ.size(), count, "originZ");
+  requireSize(rays.directionX.size(), count, "directionX");
+  requireSize(rays.directionY.size(), count, "directionY");
+  requireSize(rays.directionZ.size(), count, "directionZ");
+  requireSizeIfThere(rays.tMin, count, "tMin");
+  requireSizeIfThere(rays.tMax, count, "tMax");
+}
+
+template <class T>
+void requireSizes(const HitArrays<T>& hits, std::size_t rayCount) {
+  requireSizeIfThere(hits.t, rayCount, "t");
+  requireSizeIfThere(hits.u, rayCount, "u");
+  requireSizeIfThere(hits.v, rayCount, "v");
+  requireSizeIfThere(hits.normalX, rayCount, "normalX");
+  requireSizeIfThere(hits.normalY, rayCount, "normalY");
+  requireSizeIfThere(hits.normalZ, rayCount, "normalZ");
+  requireSizeIfThere(hits.geometry, rayCount, "geometry");
+  requireSizeIfThere(hits.primitive, rayCount, "primitive");
+  requireSizeIfThere(hits.part, rayCount, "part");
+}
+
+/// Calls `trace(begin, end)`, which returns how many of these rays hit, for all rays in portions,
+/// and returns the sum.
+template <class Trace>
+std::size_t traceInPortions(std::size_t rayCount, const BatchOptions& options,
+                            const BatchControl& control, const Trace& trace) {
+  BatchMonitor monitor(control, rayCount);
+  monitor.throwIfStopped();
+  const auto tracePortions = [&](std::size_t begin, std::size_t end) {
+    std::size_t hitCount = 0;
+    for (; begin < end; begin += std::min(kPortion, end - begin)) {
+      const std::size_t portion = std::min(kPortion, end - begin);
+      hitCount += trace(begin, begin + portion);
+      monitor.advance(portion);
+    }
+    return hitCount;
+  };
+  std::size_t hitCount = 0;
+  if (rayCount <= kMostForOneThread || options.threadCount == 1) {
+    hitCount = tracePortions(0, rayCount);
+  } else {
+    const auto inParallel = [&] {
+      hitCount = tbb::parallel_reduce(
+          tbb::blocked_range<std::size_t>(0, rayCount, kPortion), std::size_t{0},
+          [&](const tbb::blocked_range<std::size_t>& range, std::size_t sum) {
+            return sum + tracePortions(range.begin(), range.end());
+          },
+          std::plus<>());
+    };
+    if (options.threadCount == 0)
+      inParallel();
+    else
+      tbb::task_arena(static_cast<int>(options.threadCount)).execute(inParallel);
+    monitor.throwIfStopped();
+  }
+  monitor.finish();
+  return hitCount;
+}
+
+template <class T>
+std::size_t findNearest(const TreeView<T>& tree, const RayColumns<T>& rays,
+                        const HitColumns<T>& hits, const BatchOptions& options,
+                        const BatchControl& control) {
+  return traceInPortions(rays.count, options, control, [&](std::size_t begin, std::size_t end) {
+    std::size_t hitCount = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto hit = findIntersection(tree, rays[i], options.query);
+      hits.write(i, hit.value_or(Hit<T>{}));
+      hitCount += hit ? 1u : 0u;
+    }
+    return hitCount;
+  });
+}
+
+template <class T>
+std::size_t findAny(const TreeView<T>& tree, const RayColumns<T>& rays,
+                    std::span<std::uint8_t> flags, const BatchOptions& options,
+                    const BatchControl& control) {
+  requireSize(flags.size(), rays.count, "flags");
+  return traceInPortions(rays.count, options, control, [&](std::size_t begin, std::size_t end) {
+    std::size_t hitCount = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool isHit = isOccluded(tree, rays[i], options.query);
+      flags[i] = isHit ? 1u : 0u;
+      hitCount += isHit ? 1u : 0u;
+    }
+    return hitCount;
+  });
+}
+
+}  // namespace
+}  // namespace detail
+
+template <class T>
+std::size_t findIntersections(const TreeView<T>& tree, std::span<const Ray<T>> rays,
+                              std::span<Hit<T>> hits, const BatchOptions& options,
+                              const BatchControl& control) {
+  detail::requireSize(hits.size(), rays.size(), "hits");
+  return detail::findNearest(tree, detail::RayColumns<T>(rays), detail::HitColumns<T>(hits),
+                             options, control);
+}
+
+template <class T>
+std::size_t findIntersections(const TreeView<T>& tree, const RayArrays<T>& rays,
+                              const HitArrays<T>& hits, const BatchOptions& options,
+                              const BatchControl& control) {
+  detail::requireSizes(rays);
+  detail::requireSizes(hits, rays.originX.size());
+  return detail::findNearest(tree, detail::RayColumns<T>(rays), detail::HitColumns<T>(hits),
+                             options, control);
+}
+
+template <class T>
+std::size_t areOccluded(const TreeView<T>& tree, std::span<const Ray<T>> rays,
+                        std::span<std::uint8_t> flags, const BatchOptions& options,
+                        const BatchControl& control) {
+  return detail::findAny(tree, detail::RayColumns<T>(rays), flags, options, control);
+}
+
+template <class T>
+std::size_t areOccluded(const TreeView<T>& tree, const RayArrays<T>& rays,
+                        std::span<std::uint8_t> flags, const BatchOptions& options,
+                        const BatchControl& control) {
+  detail::requireSizes(rays);
+  return detail::findAny(tree, detail::RayColumns<T>(rays), flags, options, control);
+}
+
+#define PLANETREE_INSTANTIATE(T)                                                      \
+  template std::size_t findIntersections(const TreeView<T>&, std::span<const Ray<T>>, \
+                                         std::span<Hit<T>>, const BatchOptions&,      \
+                                         const BatchControl&);                        \
+  template std::size_t findIntersections(const TreeView<T>&, const RayArrays<T>&,     \
+                                         const HitArrays<T>&, const BatchOptions&,    \
+                                         const BatchControl&);                        \
+  template std::size_t areOccluded(const TreeView<T>&, std::span<const Ray<T>>,       \
+                                   std::span<std::uint8_t>, const BatchOptions&,      \
+                                   const BatchControl&);                              \
+  template std::size_t areOccluded(const TreeView<T>&, const RayArrays<T>&,           \
+                                   std::span<std::uint8_t>, const BatchOptions&,      \
+                                   const BatchControl&);
+PLANETREE_INSTANTIATE(float)
+PLANETREE_INSTANTIATE(double)
+#undef PLANETREE_INSTANTIATE
+
+}  // namespace planetree
