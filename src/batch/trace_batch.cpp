@@ -1,9 +1,9 @@
 #include <planetree/batch/trace_batch.hpp>
 #include <planetree/error.hpp>
-#include <planetree/traversal/find_intersection.hpp>
 
 #include "batch/batch_monitor.hpp"
 #include "batch/columns.hpp"
+#include "batch/trace_portion.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -105,14 +105,9 @@ template <class T>
 std::size_t findNearest(const TreeView<T>& tree, const RayColumns<T>& rays,
                         const HitColumns<T>& hits, const BatchOptions& options,
                         const BatchControl& control) {
+  const PortionTracer<T> tracer(tree, rays, options.query);
   return traceInPortions(rays.count, options, control, [&](std::size_t begin, std::size_t end) {
-    std::size_t hitCount = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto hit = findIntersection(tree, rays[i], options.query);
-      hits.write(i, hit.value_or(Hit<T>{}));
-      hitCount += hit ? 1u : 0u;
-    }
-    return hitCount;
+    return tracer.findNearest(begin, end, hits);
   });
 }
 
@@ -121,14 +116,9 @@ std::size_t findAny(const TreeView<T>& tree, const RayColumns<T>& rays,
                     std::span<std::uint8_t> flags, const BatchOptions& options,
                     const BatchControl& control) {
   requireSize(flags.size(), rays.count, "flags");
+  const PortionTracer<T> tracer(tree, rays, options.query);
   return traceInPortions(rays.count, options, control, [&](std::size_t begin, std::size_t end) {
-    std::size_t hitCount = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const bool isHit = isOccluded(tree, rays[i], options.query);
-      flags[i] = isHit ? 1u : 0u;
-      hitCount += isHit ? 1u : 0u;
-    }
-    return hitCount;
+    return tracer.findAny(begin, end, flags);
   });
 }
 

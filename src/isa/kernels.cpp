@@ -12,7 +12,28 @@
 // Behind foreach_target.h, which compiles what follows once for each set.
 #include <hwy/highway.h>
 
+#include "isa/count_ends-inl.hpp"
+#include "isa/packet_traversal-inl.hpp"
 #include "isa/wide_traversal-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace planetree::detail::HWY_NAMESPACE {
+
+constexpr Kernels kernelsNamed(std::string_view name) {
+  return {.name = name,
+          .findNearest = search<Nearest>,
+          .findAny = search<Any>,
+          .handOverForNearest = search<NearestHandedOver>,
+          .handOverForAny = search<AnyHandedOver>,
+          .countNearest = count<NearestCounted>,
+          .countAny = count<AnyCounted>,
+          .findNearestOfPacket = searchPacket<Nearest>,
+          .findAnyOfPacket = searchPacket<Any>,
+          .countEnds = countEnds};
+}
+
+}  // namespace planetree::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include <planetree/traversal/instruction_set.hpp>

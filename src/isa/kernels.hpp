@@ -6,8 +6,10 @@
 namespace planetree::detail {
 
 struct EndCounting;
+struct RayPacket;
 struct WideQuery;
 struct WideSteps;
+struct WideTree;
 
 /// The loops that are compiled for each instruction set. All of them give the same bits.
 struct Kernels {
@@ -24,6 +26,10 @@ struct Kernels {
   /// `findNearest` and `findAny` with the steps they take, which are added.
   bool (*countNearest)(WideQuery& query, WideSteps& steps) noexcept;
   bool (*countAny)(WideQuery& query, WideSteps& steps) noexcept;
+  /// `findNearest` and `findAny` for all rays of a packet, in a tree of triangles alone. Those that
+  /// go another way than most are left unanswered.
+  void (*findNearestOfPacket)(const WideTree& tree, RayPacket& packet) noexcept;
+  void (*findAnyOfPacket)(const WideTree& tree, RayPacket& packet) noexcept;
   /// Counts the ends of boxes by bins.
   void (*countEnds)(const EndCounting& counting) noexcept;
 };

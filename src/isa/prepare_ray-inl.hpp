@@ -26,6 +26,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr float kSmallest = 0x1p-40f;
 constexpr float kLargest = 0x1p+40f;
 
+constexpr std::uint32_t kExponentBits = 0x7F80'0000u;
+/// Of 2^40 divided by a power of two: twice the bias of floats and 40.
+constexpr std::uint32_t kExponentOfMost = (2u * 127u + 40u) << 23u;
+static_assert(kNearParallel<float> == 0x1p-40f);
+
 /// `length` is the largest component of the direction. False for NaN.
 HWY_INLINE bool isInRange(float length, float reach) {
   return length >= kSmallest && length <= kLargest && reach >= kSmallest && reach <= kLargest;
@@ -79,11 +84,6 @@ HWY_INLINE bool prepareRay(WideQuery& query) {
 }
 
 #else
-
-constexpr std::uint32_t kExponentBits = 0x7F80'0000u;
-/// Of 2^40 divided by a power of two: twice the bias of floats and 40.
-constexpr std::uint32_t kExponentOfMost = (2u * 127u + 40u) << 23u;
-static_assert(kNearParallel<float> == 0x1p-40f);
 
 /// One number for each axis, and one more that nobody reads.
 using AxesTag = hn::FixedTag<float, 4>;

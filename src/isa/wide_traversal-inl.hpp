@@ -11,7 +11,6 @@
 
 #include <planetree/node/node_layout.hpp>
 
-#include "isa/count_ends-inl.hpp"
 #include "isa/distance_bounds-inl.hpp"
 #include "isa/kernels.hpp"
 #include "isa/prepare_ray-inl.hpp"
@@ -690,15 +689,11 @@ HWY_INLINE void scaleDepths(WideQuery& query) {
   query.depthPerZ = std::copysign(half, query.directionZ);
 }
 
+/// Searches below a node or a leaf, with a prepared ray.
 template <class Goal>
-HWY_INLINE bool search(WideQuery& query, ProgressOf<Goal>& progress) {
-  if (query.ray != nullptr && !prepareRay(query)) {
-    query.isOutOfRange = true;
-    return false;
-  }
-  scaleDepths(query);
+HWY_INLINE bool searchBelow(WideQuery& query, ProgressOf<Goal>& progress, WideChild start) {
   progress.push(-std::numeric_limits<float>::infinity(), WideChild::end());
-  progress.push(query.tMin, query.tree.root);
+  progress.push(query.tMin, start);
   while (true) {
     const float end = query.hitT;
     const Pause pause = walk<Goal>(query, progress);
@@ -719,6 +714,16 @@ HWY_INLINE bool search(WideQuery& query, ProgressOf<Goal>& progress) {
     if (query.hitT < end)
       progress.size = dropBeyond(query.hitT, progress.stack, progress.size);
   }
+}
+
+template <class Goal>
+HWY_INLINE bool search(WideQuery& query, ProgressOf<Goal>& progress) {
+  if (query.ray != nullptr && !prepareRay(query)) {
+    query.isOutOfRange = true;
+    return false;
+  }
+  scaleDepths(query);
+  return searchBelow<Goal>(query, progress, query.tree.root);
 }
 
 template <class Goal>
@@ -762,17 +767,6 @@ struct AnyHandedOver {
   static constexpr bool kHandsOver = true;
   static constexpr bool kCounts = false;
 };
-
-constexpr Kernels kernelsNamed(std::string_view name) {
-  return {.name = name,
-          .findNearest = search<Nearest>,
-          .findAny = search<Any>,
-          .handOverForNearest = search<NearestHandedOver>,
-          .handOverForAny = search<AnyHandedOver>,
-          .countNearest = count<NearestCounted>,
-          .countAny = count<AnyCounted>,
-          .countEnds = countEnds};
-}
 
 }  // namespace planetree::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -109,6 +109,9 @@ WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
       memory, numbers.parts.size() * sizeof(WideNode) + all.blockCount * sizeof(TriangleBlock));
   WideTree wide(frame, childOf(parts, 0, plans.values().front().leftSlots[1], nodeOf),
                 numbers.parts.size(), all.blockCount);
+  wide.holdsObjects = std::any_of(parts.begin(), parts.end(), [](const Part& part) {
+    return !part.isSplit() && !part.isEmpty() && part.blockCount == 0;
+  });
   const std::span<WideNode> nodes = wide.nodesToWrite();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size(), kNodeBatchSize),
                     [&](const tbb::blocked_range<std::size_t>& batch) {

@@ -1,0 +1,139 @@
+#include "batch/trace_portion.hpp"
+
+#include <planetree/detail/geometry_entry.hpp>
+#include <planetree/traversal/find_intersection.hpp>
+
+#include "node/wide_node.hpp"
+#include "traversal/hit_choices.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <type_traits>
+
+namespace planetree::detail {
+namespace {
+
+constexpr std::size_t kRayCount = RayPacket::kRayCount;
+
+/// Calls `visit` for each member of a set.
+template <class Visit>
+void forEachIn(std::uint32_t set, const Visit& visit) {
+  for (; set != 0; set &= set - 1)
+    visit(static_cast<std::size_t>(std::countr_zero(set)));
+}
+
+std::size_t sizeOfNext(std::size_t begin, std::size_t end) noexcept {
+  return std::min(kRayCount, end - begin);
+}
+
+}  // namespace
+
+template <class T>
+PortionTracer<T>::PortionTracer(const TreeView<T>& tree, const RayColumns<T>& rays,
+                                const QueryOptions& options) noexcept
+    : tree_(tree), rays_(rays), options_(options) {
+  if constexpr (std::is_same_v<T, float>) {
+    const bool arePacked = tree.wide != nullptr && !tree.wide->nodes.empty() &&
+                           !tree.wide->holdsObjects && (options.mask & tree.wide->commonMask) != 0;
+    if (arePacked && !hasChoices(options))
+      kernels_ = &activeKernels();
+  }
+}
+
+template <class T>
+std::size_t PortionTracer<T>::findNearest(std::size_t begin, std::size_t end,
+                                          const HitColumns<T>& hits) const noexcept {
+  std::size_t hitCount = 0;
+  const auto traceAlone = [&](std::size_t ray) {
+    const auto hit = findIntersection(tree_, rays_[ray], options_);
+    hits.write(ray, hit.value_or(Hit<T>{}));
+    hitCount += hit ? 1u : 0u;
+  };
+  if constexpr (std::is_same_v<T, float>) {
+    if (kernels_ != nullptr) {
+      RayPacket packet;
+      for (; begin < end; begin += sizeOfNext(begin, end)) {
+        fill(packet, begin, sizeOfNext(begin, end));
+        kernels_->findNearestOfPacket(*tree_.wide, packet);
+        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(begin + i); });
+        forEachIn(packet.rays & ~packet.unanswered,
+                  [&](std::size_t i) { hits.write(begin + i, hitOf(packet, i)); });
+        hitCount += static_cast<std::size_t>(std::popcount(packet.hits));
+      }
+      return hitCount;
+    }
+  }
+  for (; begin < end; ++begin)
+    traceAlone(begin);
+  return hitCount;
+}
+
+template <class T>
+std::size_t PortionTracer<T>::findAny(std::size_t begin, std::size_t end,
+                                      std::span<std::uint8_t> flags) const noexcept {
+  std::size_t hitCount = 0;
+  const auto write = [&](std::size_t ray, bool isHit) {
+    flags[ray] = isHit ? 1u : 0u;
+    hitCount += isHit ? 1u : 0u;
+  };
+  if constexpr (std::is_same_v<T, float>) {
+    if (kernels_ != nullptr) {
+      RayPacket packet;
+      for (; begin < end; begin += sizeOfNext(begin, end)) {
+        fill(packet, begin, sizeOfNext(begin, end));
+        kernels_->findAnyOfPacket(*tree_.wide, packet);
+        forEachIn(packet.unanswered, [&](std::size_t i) {
+          write(begin + i, isOccluded(tree_, rays_[begin + i], options_));
+        });
+        forEachIn(packet.rays & ~packet.unanswered,
+                  [&](std::size_t i) { write(begin + i, (packet.hits >> i & 1u) != 0); });
+      }
+      return hitCount;
+    }
+  }
+  for (; begin < end; ++begin)
+    write(begin, isOccluded(tree_, rays_[begin], options_));
+  return hitCount;
+}
+
+template <class T>
+void PortionTracer<T>::fill(RayPacket& packet, std::size_t begin,
+                            std::size_t count) const noexcept {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  packet.rays = (1u << count) - 1u;
+  for (std::size_t i = 0; i < kRayCount; ++i) {
+    // Places without a ray get the last one once more.
+    const std::size_t ray = begin + std::min(i, count - 1);
+    for (std::size_t a = 0; a < 3; ++a) {
+      packet.origin[a][i] = rays_.origin[a][ray];
+      packet.direction[a][i] = rays_.direction[a][ray];
+    }
+    packet.tMin[i] = rays_.tMin[ray];
+    // A hit at infinity could not be told from a miss. A NaN stays.
+    packet.hitT[i] = rays_.tMax[ray] > kLargest ? kLargest : rays_.tMax[ray];
+  }
+}
+
+template <class T>
+Hit<T> PortionTracer<T>::hitOf(const RayPacket& packet, std::size_t i) const noexcept {
+  Hit<T> hit;
+  if ((packet.hits >> i & 1u) == 0)
+    return hit;
+  hit.t = packet.hitT[i];
+  hit.u = packet.u[i];
+  hit.v = packet.v[i];
+  hit.geometry = geometryOf(tree_.geometries, packet.hitObject[i]);
+  hit.primitive = packet.hitObject[i] - tree_.geometries[hit.geometry].firstObject;
+  hit.normal = {packet.normal[0][i], packet.normal[1][i], packet.normal[2][i]};
+  if ((packet.flatHits >> i & 1u) != 0) {
+    const Vec3d along(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]);
+    hit.normal = static_cast<Vec3<T>>(normalized(-along));
+  }
+  return hit;
+}
+
+template class PortionTracer<float>;
+template class PortionTracer<double>;
+
+}  // namespace planetree::detail

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <planetree/traversal/query_options.hpp>
+#include <planetree/traversal/tree_view.hpp>
+
+#include "batch/columns.hpp"
+#include "isa/kernels.hpp"
+#include "traversal/ray_packet.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace planetree::detail {
+
+/// Traces portions of a batch: rays that go the same way in packets, the others one by one. May be
+/// asked by any number of threads at once.
+template <class T>
+class PortionTracer {
+ public:
+  /// All must outlive it.
+  PortionTracer(const TreeView<T>& tree, const RayColumns<T>& rays,
+                const QueryOptions& options) noexcept;
+
+  /// The nearest hits of the rays from `begin` to `end`. Returns how many hit something.
+  std::size_t findNearest(std::size_t begin, std::size_t end,
+                          const HitColumns<T>& hits) const noexcept;
+  /// The same for any hit.
+  std::size_t findAny(std::size_t begin, std::size_t end,
+                      std::span<std::uint8_t> flags) const noexcept;
+
+ private:
+  void fill(RayPacket& packet, std::size_t begin, std::size_t count) const noexcept;
+  [[nodiscard]] Hit<T> hitOf(const RayPacket& packet, std::size_t i) const noexcept;
+
+  const TreeView<T>& tree_;
+  const RayColumns<T>& rays_;
+  const QueryOptions& options_;
+  const Kernels* kernels_ = nullptr;  ///< null if there are no packets for such a query
+};
+
+extern template class PortionTracer<float>;
+extern template class PortionTracer<double>;
+
+}  // namespace planetree::detail

@@ -1,0 +1,677 @@
+// Packets of rays in the wide form of a tree, compiled once for each instruction set; hence no
+// include guard but the one of Highway.
+
+#if defined(PLANETREE_PACKET_TRAVERSAL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLANETREE_PACKET_TRAVERSAL_INL
+#undef PLANETREE_PACKET_TRAVERSAL_INL
+#else
+#define PLANETREE_PACKET_TRAVERSAL_INL
+#endif
+
+#include "isa/wide_traversal-inl.hpp"
+#include "traversal/ray_packet.hpp"
+
+#include <hwy/highway.h>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <new>
+
+HWY_BEFORE_NAMESPACE();
+namespace planetree::detail::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+static_assert(RayPacket::kRayCount == kLaneCount);
+
+/// With fewer rays that go the same way each is searched for on its own.
+constexpr std::size_t kFewestInPacket = 6;
+/// From here on single rays are quicker below a node.
+constexpr std::size_t kMostOnTheirOwn = 2;
+
+// Numbers in double, as many as a vector holds.
+constexpr std::size_t kDoublesPerVector = HWY_MIN(kLaneCount, HWY_LANES(double));
+using DoubleTag = hn::FixedTag<double, kDoublesPerVector>;
+using Doubles = hn::Vec<DoubleTag>;
+/// As many floats as doubles.
+using NarrowTag = hn::FixedTag<float, kDoublesPerVector>;
+using NarrowWordTag = hn::FixedTag<std::uint32_t, kDoublesPerVector>;
+using Narrow = hn::Vec<NarrowTag>;
+
+/// The lanes of one vector in a set of sixteen.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> maskOf(Tag tag, std::uint32_t set, std::size_t firstLane) {
+  const std::uint32_t bits = set >> firstLane;
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
+                                 static_cast<std::uint8_t>(bits >> 8u)};
+  return hn::LoadMaskBits(tag, bytes);
+}
+template <class Tag>
+HWY_INLINE std::uint32_t setOf(Tag tag, hn::Mask<Tag> mask, std::size_t firstLane) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(tag, mask, bytes);
+  return (bytes[0] | std::uint32_t{bytes[1]} << 8u) << firstLane;
+}
+
+HWY_INLINE std::size_t sizeOf(std::uint32_t set) {
+  return hwy::PopCount(set);
+}
+
+/// One number of each ray.
+struct RayNumbers {
+  HWY_ALIGN float of[kLaneCount];
+
+  HWY_INLINE Floats operator[](std::size_t vector) const {
+    return hn::Load(FloatTag(), of + vector * kLanesPerVector);
+  }
+  HWY_INLINE void put(std::size_t vector, Floats numbers) {
+    hn::Store(numbers, FloatTag(), of + vector * kLanesPerVector);
+  }
+};
+
+/// The least and the greatest of numbers.
+struct Range {
+  float least;
+  float greatest;
+};
+
+HWY_INLINE Range rangeOf(const RayNumbers& numbers, std::uint32_t rays) {
+  const FloatTag d;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Floats least = hn::Set(d, kInfinity);
+  Floats greatest = hn::Set(d, -kInfinity);
+  forEachVector([&](auto i) {
+    const Mask isThere = maskOf(d, rays, i * kLanesPerVector);
+    least = hn::Min(least, hn::IfThenElse(isThere, numbers[i], hn::Set(d, kInfinity)));
+    greatest = hn::Max(greatest, hn::IfThenElse(isThere, numbers[i], hn::Set(d, -kInfinity)));
+  });
+  return {hn::GetLane(hn::MinOfLanes(d, least)), hn::GetLane(hn::MaxOfLanes(d, greatest))};
+}
+
+/// The rays as boxes and triangles see them; see WideQuery for what the numbers are.
+struct PacketRays {
+  RayNumbers inverse[3];
+  RayNumbers toCenter[3];
+  RayNumbers slack[3];
+  RayNumbers nearOffset[3];
+  RayNumbers farOffset[3];
+  RayNumbers origin[3];  ///< along the sheared axes
+  RayNumbers shear[2];
+  RayNumbers directionZ;
+  std::uint32_t axes[3];
+  std::uint32_t octant;
+};
+
+/// Fills in the rays, as `prepareRay` does, and returns those that go the same way: into one
+/// octant, and mostly along one axis. Those left out, but for rays that can hit nothing, are added
+/// to the unanswered ones.
+HWY_INLINE std::uint32_t preparePacket(const WideTree& tree, RayPacket& packet, PacketRays& rays) {
+  const FloatTag d;
+  const hn::RebindToUnsigned<FloatTag> bits;
+  const hn::RebindToSigned<FloatTag> words;
+  std::uint32_t isValid = 0;
+  std::uint32_t isEmpty = 0;
+  std::uint32_t mostlyZ = 0;
+  std::uint32_t mostlyY = 0;
+  std::uint32_t isNegative[3] = {};
+  forEachVector([&](auto i) {
+    const std::size_t at = i * kLanesPerVector;
+    Floats direction[3];
+    Floats toCenter[3];
+    Floats notNumbers = hn::Zero(d);
+    Floats largest = hn::Zero(d);
+    Floats reach = hn::Zero(d);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Floats origin = hn::Load(d, packet.origin[a] + at);
+      direction[a] = hn::Load(d, packet.direction[a] + at);
+      toCenter[a] = hn::Sub(hn::Set(d, tree.frame.center[a]), origin);
+      notNumbers = hn::Add(notNumbers,
+                           hn::Add(hn::Sub(origin, origin), hn::Sub(direction[a], direction[a])));
+      largest = hn::Max(largest, hn::Abs(direction[a]));
+      reach = hn::Max(reach, hn::Add(hn::Abs(toCenter[a]), hn::Set(d, tree.frame.halfSize[a])));
+    }
+    const auto isBetween = [&](Floats number) {
+      return hn::And(hn::Ge(number, hn::Set(d, kSmallest)), hn::Le(number, hn::Set(d, kLargest)));
+    };
+    const Mask areNumbers = hn::Eq(notNumbers, hn::Zero(d));
+    isValid |= bitsOf(hn::And(areNumbers, hn::And(isBetween(largest), isBetween(reach)))) << at;
+    isEmpty |= bitsOf(hn::Not(hn::Le(hn::Load(d, packet.tMin + at), hn::Load(d, packet.hitT + at))))
+               << at;
+    mostlyZ |= bitsOf(hn::Eq(hn::Abs(direction[2]), largest)) << at;
+    mostlyY |= bitsOf(hn::Eq(hn::Abs(direction[1]), largest)) << at;
+
+    const auto exponent = hn::And(hn::BitCast(bits, largest), hn::Set(bits, kExponentBits));
+    const Floats most = hn::BitCast(d, hn::Sub(hn::Set(bits, kExponentOfMost), exponent));
+    const Floats distanceSlack =
+        hn::Mul(reach, hn::Set(d, kSlackInRoundoffs<float> * kRoundoff<float>));
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Floats quotient = hn::Abs(hn::Div(hn::Set(d, 1.0f), direction[a]));
+      const Floats inverse = hn::CopySign(hn::Min(quotient, most), direction[a]);
+      const Floats slack = hn::Mul(distanceSlack, hn::Abs(inverse));
+      const Floats offset = hn::Mul(toCenter[a], inverse);
+      rays.inverse[a].put(i, inverse);
+      rays.toCenter[a].put(i, toCenter[a]);
+      rays.slack[a].put(i, slack);
+      rays.nearOffset[a].put(i, hn::Sub(offset, slack));
+      rays.farOffset[a].put(i, hn::Add(offset, slack));
+      isNegative[a] |=
+          bitsOf(hn::RebindMask(d, hn::Lt(hn::BitCast(words, direction[a]), hn::Zero(words))))
+          << at;
+    }
+  });
+  mostlyY &= ~mostlyZ;
+
+  packet.unanswered = packet.rays & ~isValid;
+  const std::uint32_t asked = packet.rays & isValid & ~isEmpty;
+  if (asked == 0)
+    return 0;
+  const auto first = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(asked));
+  const auto likeFirst = [&](std::uint32_t set) { return (set >> first & 1u) != 0 ? set : ~set; };
+  std::uint32_t together = asked & likeFirst(mostlyZ) & likeFirst(mostlyY);
+  rays.octant = 0;
+  for (std::uint32_t a = 0; a < 3; ++a) {
+    together &= likeFirst(isNegative[a]);
+    rays.octant |= (isNegative[a] >> first & 1u) << a;
+  }
+  packet.unanswered |= asked & ~together;
+  if (sizeOf(together) < kFewestInPacket) {
+    packet.unanswered |= together;
+    return 0;
+  }
+
+  const std::uint32_t kz = (mostlyZ >> first & 1u) != 0 ? 2u : mostlyY >> first & 1u;
+  rays.axes[0] = kz == 2u ? 0u : kz + 1u;
+  rays.axes[1] = rays.axes[0] == 2u ? 0u : rays.axes[0] + 1u;
+  rays.axes[2] = kz;
+  forEachVector([&](auto i) {
+    const std::size_t at = i * kLanesPerVector;
+    const Floats along = hn::Load(d, packet.direction[kz] + at);
+    rays.directionZ.put(i, along);
+    for (std::size_t k = 0; k < 2; ++k)
+      rays.shear[k].put(i, hn::Div(hn::Load(d, packet.direction[rays.axes[k]] + at), along));
+    for (std::size_t k = 0; k < 3; ++k)
+      rays.origin[k].put(i, hn::Load(d, packet.origin[rays.axes[k]] + at));
+  });
+  return together;
+}
+
+/// All rays of a packet at once, for the boxes of a node: what this misses, each of them misses.
+class RayBundle {
+ public:
+  HWY_INLINE RayBundle(const PacketRays& rays, const RayNumbers& tMin, std::uint32_t together) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Range inverse = rangeOf(rays.inverse[a], together);
+      const Range toCenter = rangeOf(rays.toCenter[a], together);
+      const bool isNegative = (rays.octant >> a & 1u) != 0;
+      leastInverse_[a] = inverse.least;
+      greatestInverse_[a] = inverse.greatest;
+      nearToCenter_[a] = isNegative ? toCenter.greatest : toCenter.least;
+      farToCenter_[a] = isNegative ? toCenter.least : toCenter.greatest;
+      // Twice that of a single ray: there is one more rounding.
+      slack_[a] = 2.0f * rangeOf(rays.slack[a], together).greatest;
+      planes_[a] = (2 * a + (isNegative ? 1u : 0u)) * kLaneCount;
+    }
+    tMin_ = rangeOf(tMin, together).least;
+  }
+
+  HWY_INLINE void test(const WideNode& node, float tMax, BoxTest& result) const {
+    const FloatTag d;
+    const float* const planes = &node.planes[0][0];
+    forEachVector([&](auto i) {
+      const std::size_t at = i * kLanesPerVector;
+      Floats tNear = hn::Set(d, tMin_);
+      Floats tFar = hn::Set(d, tMax);
+      for (std::size_t a = 0; a < 3; ++a) {
+        const Floats least = hn::Set(d, leastInverse_[a]);
+        const Floats greatest = hn::Set(d, greatestInverse_[a]);
+        const Floats slack = hn::Set(d, slack_[a]);
+        const Floats toNear =
+            hn::Add(hn::Load(d, planes + planes_[a] + at), hn::Set(d, nearToCenter_[a]));
+        const Floats toFar = hn::Add(hn::Load(d, planes + (planes_[a] ^ kLaneCount) + at),
+                                     hn::Set(d, farToCenter_[a]));
+        tNear = hn::Max(tNear,
+                        hn::Sub(hn::Min(hn::Mul(toNear, least), hn::Mul(toNear, greatest)), slack));
+        tFar =
+            hn::Min(tFar, hn::Add(hn::Max(hn::Mul(toFar, least), hn::Mul(toFar, greatest)), slack));
+      }
+      result.tNear.vectors[i] = tNear;
+      result.tFar.vectors[i] = tFar;
+    });
+  }
+
+ private:
+  float leastInverse_[3], greatestInverse_[3];
+  float nearToCenter_[3], farToCenter_[3];
+  float slack_[3];
+  float tMin_;
+  std::size_t planes_[3];
+};
+
+/// The same for the triangles of a block.
+class ShearedBundle {
+ public:
+  HWY_INLINE ShearedBundle(const PacketRays& rays, std::uint32_t together) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      origin_[k] = rangeOf(rays.origin[k], together);
+      rows_[k] = rays.axes[k] * TriangleBlock::kPositionCount;
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+      shear_[k] = rangeOf(rays.shear[k], together);
+  }
+
+  /// The triangles that any of the rays may hit. Each step is rounded as for a single ray, and
+  /// rounding keeps order: the sheared corners of each ray lie within the bounds, exactly.
+  HWY_INLINE std::uint32_t findMet(const TriangleBlock& block) const {
+    const FloatTag d;
+    Lanes least[2];
+    Lanes greatest[2];
+    forEachVector([&](auto i) {
+      const auto row = [&](std::size_t k) {
+        return hn::Load(d, &block.positions[0][0] + rows_[k] + i * kLanesPerVector);
+      };
+      const auto fromOrigin = [&](std::size_t k, float origin) {
+        return hn::Sub(row(k), hn::Set(d, origin));
+      };
+      const Floats nearZ = fromOrigin(2, origin_[2].greatest);
+      const Floats farZ = fromOrigin(2, origin_[2].least);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Floats lowShear = hn::Set(d, shear_[k].least);
+        const Floats highShear = hn::Set(d, shear_[k].greatest);
+        const Floats a = hn::Mul(lowShear, nearZ);
+        const Floats b = hn::Mul(lowShear, farZ);
+        const Floats c = hn::Mul(highShear, nearZ);
+        const Floats e = hn::Mul(highShear, farZ);
+        least[k].vectors[i] =
+            hn::Sub(fromOrigin(k, origin_[k].greatest), hn::Max(hn::Max(a, b), hn::Max(c, e)));
+        greatest[k].vectors[i] =
+            hn::Sub(fromOrigin(k, origin_[k].least), hn::Min(hn::Min(a, b), hn::Min(c, e)));
+      }
+    });
+    Mask isMet[kVectorCount];
+    forEachVector([&](auto i) {
+      const hn::Rebind<std::uint8_t, WordTag> bytes;
+      Words corners[3];
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        corners[corner] =
+            hn::PromoteTo(WordTag(), hn::LoadU(bytes, block.corners[corner] + i * kLanesPerVector));
+      }
+      const Floats zero = hn::Zero(d);
+      Mask isAround[2];
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Floats lowest =
+            hn::Min(hn::Min(pick(least[k], corners[0]), pick(least[k], corners[1])),
+                    pick(least[k], corners[2]));
+        const Floats highest =
+            hn::Max(hn::Max(pick(greatest[k], corners[0]), pick(greatest[k], corners[1])),
+                    pick(greatest[k], corners[2]));
+        isAround[k] = hn::And(hn::Le(lowest, zero), hn::Ge(highest, zero));
+      }
+      isMet[i] = hn::And(isAround[0], isAround[1]);
+    });
+    return bitsOf(isMet) & block.usedLanes;
+  }
+
+ private:
+  Range origin_[3];
+  Range shear_[2];
+  std::size_t rows_[3];
+};
+
+/// Subtrees that were put off, the nearest on top, and for which rays.
+struct PacketStack {
+  static constexpr std::size_t kCapacity = (kMaxWideDepth + 1) * kLaneCount;
+
+  RayNumbers tNear[kCapacity];
+  std::uint32_t children[kCapacity];
+  std::uint32_t rays[kCapacity];
+};
+
+/// The best hits so far.
+struct PacketHits {
+  HWY_ALIGN std::uint32_t block[kLaneCount];
+  HWY_ALIGN std::uint32_t lane[kLaneCount];
+  HWY_ALIGN double weights[3][kLaneCount];
+};
+
+template <class Goal>
+class PacketSearch {
+ public:
+  HWY_INLINE PacketSearch(const WideTree& tree, RayPacket& packet, const PacketRays& rays,
+                          std::uint32_t together)
+      : tree_(tree),
+        packet_(packet),
+        rays_(rays),
+        bundle_(rays, tMin(), together),
+        sheared_(rays, together),
+        alive_(together) {
+    tMax_ = rangeOf(hitT(), together).greatest;
+  }
+
+  HWY_INLINE void run() {
+    push(tree_.root, alive_, tMin());
+    while (size_ > 0) {
+      --size_;
+      const WideChild child = WideChild::fromWord(stack_.children[size_]);
+      const std::uint32_t rays = stack_.rays[size_] & alive_ & notBehind(stack_.tNear[size_]);
+      if (rays == 0)
+        continue;
+      if (sizeOf(rays) <= kMostOnTheirOwn)
+        searchOneByOne(child, rays);
+      else if (child.isNode())
+        visitNode(tree_.nodes[child.nodeIndex()], rays);
+      else
+        visitBlocks(child, rays);
+      if (Goal::kStopsAtAnyHit && alive_ == 0)
+        return;
+    }
+    if constexpr (!Goal::kStopsAtAnyHit)
+      finish();
+  }
+
+ private:
+  HWY_INLINE const RayNumbers& tMin() const {
+    return reinterpret_cast<const RayNumbers&>(packet_.tMin);
+  }
+  HWY_INLINE RayNumbers& hitT() { return reinterpret_cast<RayNumbers&>(packet_.hitT); }
+
+  HWY_INLINE void push(WideChild child, std::uint32_t rays, const RayNumbers& tNear) {
+    stack_.children[size_] = child.word();
+    stack_.rays[size_] = rays;
+    stack_.tNear[size_++] = tNear;
+  }
+
+  HWY_INLINE std::uint32_t notBehind(const RayNumbers& tNear) {
+    Mask isBefore[kVectorCount];
+    forEachVector([&](auto i) { isBefore[i] = hn::Le(tNear[i], hitT()[i]); });
+    return bitsOf(isBefore);
+  }
+
+  HWY_INLINE void visitNode(const WideNode& node, std::uint32_t rays) {
+    const WordTag words;
+    BoxTest test;
+    bundle_.test(node, tMax_, test);
+    const SlotOrder& order = node.orders[rays_.octant];
+    const std::uint32_t met = findMet(test);
+    (void)words;
+    if (met == 0)
+      return;
+    for (std::size_t i = 0; i < kLaneCount; ++i) {
+      const std::size_t slot = order[i];
+      if ((met >> slot & 1u) != 0)
+        pushIfMet(node, slot, rays);
+    }
+  }
+
+  HWY_INLINE void pushIfMet(const WideNode& node, std::size_t slot, std::uint32_t rays) {
+    const FloatTag d;
+    const auto plane = [&](std::size_t a, std::uint32_t isFar) {
+      return hn::Set(d, node.planes[2 * a + ((rays_.octant >> a & 1u) ^ isFar)][slot]);
+    };
+    Mask isMet[kVectorCount];
+    forEachVector([&](auto i) {
+      const auto along = [&](std::size_t a, std::uint32_t isFar) {
+        const RayNumbers& offset = isFar != 0 ? rays_.farOffset[a] : rays_.nearOffset[a];
+        return hn::MulAdd(plane(a, isFar), rays_.inverse[a][i], offset[i]);
+      };
+      const Floats tNear =
+          hn::Max(hn::Max(along(0, 0), along(1, 0)), hn::Max(along(2, 0), tMin()[i]));
+      const Floats tFar =
+          hn::Min(hn::Min(along(0, 1), along(1, 1)), hn::Min(along(2, 1), hitT()[i]));
+      stack_.tNear[size_].put(i, tNear);
+      isMet[i] = hn::Le(tNear, tFar);
+    });
+    stack_.children[size_] = childWords(node)[slot];
+    stack_.rays[size_] = bitsOf(isMet) & rays;
+    size_ += stack_.rays[size_] != 0 ? 1u : 0u;
+  }
+
+  HWY_INLINE void visitBlocks(WideChild child, std::uint32_t rays) {
+    const std::uint32_t end = child.firstBlock() + child.blockCount();
+    for (std::uint32_t index = child.firstBlock(); index < end; ++index) {
+      const TriangleBlock& block = tree_.blocks[index];
+      for (std::uint32_t lanes = sheared_.findMet(block); lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
+        testTriangle(block, index, lane, rays);
+        if constexpr (Goal::kStopsAtAnyHit) {
+          rays &= alive_;
+          if (rays == 0)
+            return;
+        }
+      }
+    }
+  }
+
+  /// A corner as each ray sees it.
+  struct Corner {
+    RayNumbers x, y, z;
+  };
+
+  HWY_INLINE void shear(const TriangleBlock& block, std::size_t position, Corner& corner) const {
+    const FloatTag d;
+    forEachVector([&](auto i) {
+      const auto fromOrigin = [&](std::size_t k) {
+        return hn::Sub(hn::Set(d, block.positions[rays_.axes[k]][position]), rays_.origin[k][i]);
+      };
+      const Floats z = fromOrigin(2);
+      corner.z.put(i, z);
+      corner.x.put(i, hn::Sub(fromOrigin(0), hn::Mul(rays_.shear[0][i], z)));
+      corner.y.put(i, hn::Sub(fromOrigin(1), hn::Mul(rays_.shear[1][i], z)));
+    });
+  }
+
+  /// As `BlockRay::test`, with the roles of rays and triangles exchanged.
+  HWY_INLINE void testTriangle(const TriangleBlock& block, std::uint32_t index, std::uint32_t lane,
+                               std::uint32_t rays) {
+    const FloatTag d;
+    Corner a, b, c;
+    shear(block, block.corners[0][lane], a);
+    shear(block, block.corners[1][lane], b);
+    shear(block, block.corners[2][lane], c);
+    Mask isCandidate[kVectorCount];
+    forEachVector([&](auto i) {
+      const Floats u = hn::Sub(hn::Mul(c.x[i], b.y[i]), hn::Mul(c.y[i], b.x[i]));
+      const Floats v = hn::Sub(hn::Mul(a.x[i], c.y[i]), hn::Mul(a.y[i], c.x[i]));
+      const Floats w = hn::Sub(hn::Mul(b.x[i], a.y[i]), hn::Mul(b.y[i], a.x[i]));
+      const Floats zero = hn::Zero(d);
+      isCandidate[i] =
+          hn::Or(hn::Ge(hn::Min(hn::Min(u, v), w), zero), hn::Le(hn::Max(hn::Max(u, v), w), zero));
+    });
+    const std::uint32_t candidates = bitsOf(isCandidate) & rays;
+    if (candidates != 0)
+      decide(a, b, c, block.objects[lane], index, lane, candidates);
+  }
+
+  /// As `acceptTriangle`, for the rays of a set.
+  HWY_INLINE void decide(const Corner& a, const Corner& b, const Corner& c, std::uint32_t object,
+                         std::uint32_t block, std::uint32_t lane, std::uint32_t rays) {
+    const DoubleTag d;
+    const NarrowTag narrow;
+    const NarrowWordTag words;
+    std::uint32_t accepted = 0;
+    for (std::size_t at = 0; at < kLaneCount; at += kDoublesPerVector) {
+      const auto wide = [&](const RayNumbers& numbers) {
+        return hn::PromoteTo(d, hn::Load(narrow, numbers.of + at));
+      };
+      const auto edge = [](Doubles px, Doubles qy, Doubles qx, Doubles py) {
+        return hn::Sub(hn::Mul(px, qy), hn::Mul(qx, py));
+      };
+      const Doubles ax = wide(a.x), ay = wide(a.y);
+      const Doubles bx = wide(b.x), by = wide(b.y);
+      const Doubles cx = wide(c.x), cy = wide(c.y);
+      const Doubles u = edge(cx, by, cy, bx);
+      const Doubles v = edge(ax, cy, ay, cx);
+      const Doubles w = edge(bx, ay, by, ax);
+      const Doubles zero = hn::Zero(d);
+      const Doubles sum = hn::Add(hn::Add(u, v), w);
+      const auto isOutside =
+          hn::And(hn::Lt(hn::Min(hn::Min(u, v), w), zero), hn::Gt(hn::Max(hn::Max(u, v), w), zero));
+      const auto isHit = hn::AndNot(isOutside, hn::Ne(sum, zero));
+      const Doubles z =
+          hn::Add(hn::Add(hn::Mul(u, wide(a.z)), hn::Mul(v, wide(b.z))), hn::Mul(w, wide(c.z)));
+      const Doubles t = hn::Div(z, hn::Mul(sum, wide(rays_.directionZ)));
+      // With a NaN nothing is accepted.
+      const Narrow nearest = hn::DemoteTo(
+          narrow, hn::IfThenElse(isHit, t, hn::Set(d, std::numeric_limits<double>::quiet_NaN())));
+      const Narrow best = hn::Load(narrow, packet_.hitT + at);
+      const auto isLower = hn::RebindMask(
+          narrow, hn::Lt(hn::Set(words, object), hn::Load(words, packet_.hitObject + at)));
+      const auto isBetter = hn::Or(hn::Lt(nearest, best), hn::And(hn::Eq(nearest, best), isLower));
+      const auto isAccepted =
+          hn::And(hn::And(isBetter, hn::Ge(nearest, hn::Load(narrow, packet_.tMin + at))),
+                  maskOf(narrow, rays, at));
+      accepted |= setOf(narrow, isAccepted, at);
+      if constexpr (!Goal::kStopsAtAnyHit) {
+        const auto areAccepted = hn::RebindMask(words, isAccepted);
+        hn::BlendedStore(nearest, isAccepted, narrow, packet_.hitT + at);
+        hn::BlendedStore(hn::Set(words, object), areAccepted, words, packet_.hitObject + at);
+        hn::BlendedStore(hn::Set(words, block), areAccepted, words, hits_.block + at);
+        hn::BlendedStore(hn::Set(words, lane), areAccepted, words, hits_.lane + at);
+        const auto areAcceptedWide = maskOf(d, setOf(narrow, isAccepted, 0), 0);
+        hn::BlendedStore(u, areAcceptedWide, d, hits_.weights[0] + at);
+        hn::BlendedStore(v, areAcceptedWide, d, hits_.weights[1] + at);
+        hn::BlendedStore(w, areAcceptedWide, d, hits_.weights[2] + at);
+      }
+    }
+    packet_.hits |= accepted;
+    if constexpr (Goal::kStopsAtAnyHit)
+      alive_ &= ~accepted;
+    else if (accepted != 0)
+      tMax_ = rangeOf(hitT(), alive_).greatest;
+  }
+
+  // --- rays on their own ---
+
+  static constexpr WideTests kNoTests = {};
+
+  void searchOneByOne(WideChild child, std::uint32_t rays) {
+    for (; rays != 0; rays &= rays - 1) {
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rays);
+      searchAlone(child, ray);
+    }
+  }
+
+  HWY_NOINLINE void searchAlone(WideChild child, std::size_t ray) {
+    WideQuery& query = queryOf(ray);
+    query.hitT = packet_.hitT[ray];
+    query.hitObject = packet_.hitObject[ray];
+    progress_.size = 0;
+    progress_.found = false;
+    progress_.restCount = 0;
+    if (!searchBelow<Goal>(query, progress_, child))
+      return;
+    packet_.hits |= 1u << ray;
+    if constexpr (Goal::kStopsAtAnyHit) {
+      alive_ &= ~(1u << ray);
+    } else {
+      packet_.hitT[ray] = query.hitT;
+      packet_.hitObject[ray] = query.hitObject;
+      hits_.block[ray] = static_cast<std::uint32_t>(query.hitBlock - tree_.blocks.data());
+      hits_.lane[ray] = query.hitLane;
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        hits_.weights[corner][ray] = query.hitWeights[corner];
+    }
+  }
+
+  HWY_INLINE WideQuery& queryOf(std::size_t ray) {
+    void* const place = queries_ + ray * sizeof(WideQuery);
+    if ((prepared_ >> ray & 1u) != 0)
+      return *std::launder(static_cast<WideQuery*>(place));
+    prepared_ |= 1u << ray;
+    const float numbers[6] = {packet_.origin[0][ray],    packet_.origin[1][ray],
+                              packet_.origin[2][ray],    packet_.direction[0][ray],
+                              packet_.direction[1][ray], packet_.direction[2][ray]};
+    auto* const query =
+        new (place) WideQuery(tree_, kNoTests, packet_.tMin[ray], packet_.hitT[ray]);
+    query->ray = numbers;
+    // It was found valid before.
+    static_cast<void>(prepareRay(*query));
+    query->ray = nullptr;
+    scaleDepths(*query);
+    return *query;
+  }
+
+  // --- the end ---
+
+  /// Weights and normals of the best hits, rounded as for a single ray.
+  HWY_INLINE void finish() {
+    const DoubleTag d;
+    const NarrowTag narrow;
+    HWY_ALIGN float corners[9][kLaneCount] = {};
+    for (std::uint32_t rest = packet_.hits; rest != 0; rest &= rest - 1) {
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rest);
+      const TriangleBlock& block = tree_.blocks[hits_.block[ray]];
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::size_t position = block.corners[corner][hits_.lane[ray]];
+        for (std::size_t a = 0; a < 3; ++a)
+          corners[3 * corner + a][ray] = block.positions[a][position];
+      }
+    }
+    std::uint32_t isFlat = 0;
+    for (std::size_t at = 0; at < kLaneCount; at += kDoublesPerVector) {
+      const Doubles u = hn::Load(d, hits_.weights[0] + at);
+      const Doubles v = hn::Load(d, hits_.weights[1] + at);
+      const Doubles w = hn::Load(d, hits_.weights[2] + at);
+      const Doubles sum = hn::Add(hn::Add(u, v), w);
+      hn::Store(hn::DemoteTo(narrow, hn::Div(v, sum)), narrow, packet_.u + at);
+      hn::Store(hn::DemoteTo(narrow, hn::Div(w, sum)), narrow, packet_.v + at);
+
+      const auto side = [&](std::size_t corner, std::size_t a) {
+        const auto wide = [&](std::size_t i) {
+          return hn::PromoteTo(d, hn::Load(narrow, corners[i] + at));
+        };
+        return hn::Sub(wide(3 * corner + a), wide(a));
+      };
+      const Doubles px = side(1, 0), py = side(1, 1), pz = side(1, 2);
+      const Doubles qx = side(2, 0), qy = side(2, 1), qz = side(2, 2);
+      const Doubles nx = hn::Sub(hn::Mul(py, qz), hn::Mul(pz, qy));
+      const Doubles ny = hn::Sub(hn::Mul(pz, qx), hn::Mul(px, qz));
+      const Doubles nz = hn::Sub(hn::Mul(px, qy), hn::Mul(py, qx));
+      const Doubles zero = hn::Zero(d);
+      isFlat |=
+          setOf(d, hn::And(hn::And(hn::Eq(nx, zero), hn::Eq(ny, zero)), hn::Eq(nz, zero)), at);
+      const Doubles square = hn::Add(hn::Add(hn::Mul(nx, nx), hn::Mul(ny, ny)), hn::Mul(nz, nz));
+      const Doubles scale = hn::Div(hn::Set(d, 1.0), hn::Sqrt(square));
+      hn::Store(hn::DemoteTo(narrow, hn::Mul(nx, scale)), narrow, packet_.normal[0] + at);
+      hn::Store(hn::DemoteTo(narrow, hn::Mul(ny, scale)), narrow, packet_.normal[1] + at);
+      hn::Store(hn::DemoteTo(narrow, hn::Mul(nz, scale)), narrow, packet_.normal[2] + at);
+    }
+    packet_.flatHits = isFlat & packet_.hits;
+  }
+
+  const WideTree& tree_;
+  RayPacket& packet_;
+  const PacketRays& rays_;
+  RayBundle bundle_;
+  ShearedBundle sheared_;
+  std::uint32_t alive_;  ///< rays that still look for something
+  float tMax_;           ///< the end of the longest of them
+  std::size_t size_ = 0;
+  std::uint32_t prepared_ = 0;  ///< rays that have a query of their own
+  PacketStack stack_;
+  PacketHits hits_;
+  Progress progress_;
+  alignas(WideQuery) std::byte queries_[kLaneCount * sizeof(WideQuery)];
+};
+
+template <class Goal>
+void searchPacket(const WideTree& tree, RayPacket& packet) noexcept {
+  PacketRays rays;
+  packet.hits = 0;
+  packet.flatHits = 0;
+  const std::uint32_t together = preparePacket(tree, packet, rays);
+  if (together == 0)
+    return;
+  const hn::FixedTag<std::uint32_t, kLanesPerVector> words;
+  forEachVector([&](auto i) {
+    hn::Store(hn::Set(words, 0xFFFF'FFFFu), words, packet.hitObject + i * kLanesPerVector);
+  });
+  PacketSearch<Goal> search(tree, packet, rays, together);
+  search.run();
+}
+
+}  // namespace planetree::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
