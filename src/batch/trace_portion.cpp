@@ -5,6 +5,7 @@
 
 #include "node/wide_node.hpp"
 #include "traversal/hit_choices.hpp"
+#include "traversal/ray_packet.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -25,6 +26,41 @@ void forEachIn(std::uint32_t set, const Visit& visit) {
 
 std::size_t sizeOfNext(std::size_t begin, std::size_t end) noexcept {
   return std::min(kRayCount, end - begin);
+}
+
+void fill(const RayColumns<float>& rays, std::size_t begin, std::size_t count,
+          RayPacket& packet) noexcept {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  packet.rays = (1u << count) - 1u;
+  for (std::size_t i = 0; i < kRayCount; ++i) {
+    // Places without a ray get the last one once more.
+    const std::size_t ray = begin + std::min(i, count - 1);
+    for (std::size_t a = 0; a < 3; ++a) {
+      packet.origin[a][i] = rays.origin[a][ray];
+      packet.direction[a][i] = rays.direction[a][ray];
+    }
+    packet.tMin[i] = rays.tMin[ray];
+    // A hit at infinity could not be told from a miss. A NaN stays.
+    packet.hitT[i] = rays.tMax[ray] > kLargest ? kLargest : rays.tMax[ray];
+  }
+}
+
+/// What a ray of an answered packet hits.
+Hitf hitOf(const TreeView<float>& tree, const RayPacket& packet, std::size_t i) noexcept {
+  Hitf hit;
+  if ((packet.hits >> i & 1u) == 0)
+    return hit;
+  hit.t = packet.hitT[i];
+  hit.u = packet.u[i];
+  hit.v = packet.v[i];
+  hit.geometry = geometryOf(tree.geometries, packet.hitObject[i]);
+  hit.primitive = packet.hitObject[i] - tree.geometries[hit.geometry].firstObject;
+  hit.normal = {packet.normal[0][i], packet.normal[1][i], packet.normal[2][i]};
+  if ((packet.flatHits >> i & 1u) != 0) {
+    const Vec3d along(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]);
+    hit.normal = static_cast<Vec3f>(normalized(-along));
+  }
+  return hit;
 }
 
 }  // namespace
@@ -54,11 +90,11 @@ std::size_t PortionTracer<T>::findNearest(std::size_t begin, std::size_t end,
     if (kernels_ != nullptr) {
       RayPacket packet;
       for (; begin < end; begin += sizeOfNext(begin, end)) {
-        fill(packet, begin, sizeOfNext(begin, end));
+        fill(rays_, begin, sizeOfNext(begin, end), packet);
         kernels_->findNearestOfPacket(*tree_.wide, packet);
         forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(begin + i); });
         forEachIn(packet.rays & ~packet.unanswered,
-                  [&](std::size_t i) { hits.write(begin + i, hitOf(packet, i)); });
+                  [&](std::size_t i) { hits.write(begin + i, hitOf(tree_, packet, i)); });
         hitCount += static_cast<std::size_t>(std::popcount(packet.hits));
       }
       return hitCount;
@@ -81,7 +117,7 @@ std::size_t PortionTracer<T>::findAny(std::size_t begin, std::size_t end,
     if (kernels_ != nullptr) {
       RayPacket packet;
       for (; begin < end; begin += sizeOfNext(begin, end)) {
-        fill(packet, begin, sizeOfNext(begin, end));
+        fill(rays_, begin, sizeOfNext(begin, end), packet);
         kernels_->findAnyOfPacket(*tree_.wide, packet);
         forEachIn(packet.unanswered, [&](std::size_t i) {
           write(begin + i, isOccluded(tree_, rays_[begin + i], options_));
@@ -95,42 +131,6 @@ std::size_t PortionTracer<T>::findAny(std::size_t begin, std::size_t end,
   for (; begin < end; ++begin)
     write(begin, isOccluded(tree_, rays_[begin], options_));
   return hitCount;
-}
-
-template <class T>
-void PortionTracer<T>::fill(RayPacket& packet, std::size_t begin,
-                            std::size_t count) const noexcept {
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  packet.rays = (1u << count) - 1u;
-  for (std::size_t i = 0; i < kRayCount; ++i) {
-    // Places without a ray get the last one once more.
-    const std::size_t ray = begin + std::min(i, count - 1);
-    for (std::size_t a = 0; a < 3; ++a) {
-      packet.origin[a][i] = rays_.origin[a][ray];
-      packet.direction[a][i] = rays_.direction[a][ray];
-    }
-    packet.tMin[i] = rays_.tMin[ray];
-    // A hit at infinity could not be told from a miss. A NaN stays.
-    packet.hitT[i] = rays_.tMax[ray] > kLargest ? kLargest : rays_.tMax[ray];
-  }
-}
-
-template <class T>
-Hit<T> PortionTracer<T>::hitOf(const RayPacket& packet, std::size_t i) const noexcept {
-  Hit<T> hit;
-  if ((packet.hits >> i & 1u) == 0)
-    return hit;
-  hit.t = packet.hitT[i];
-  hit.u = packet.u[i];
-  hit.v = packet.v[i];
-  hit.geometry = geometryOf(tree_.geometries, packet.hitObject[i]);
-  hit.primitive = packet.hitObject[i] - tree_.geometries[hit.geometry].firstObject;
-  hit.normal = {packet.normal[0][i], packet.normal[1][i], packet.normal[2][i]};
-  if ((packet.flatHits >> i & 1u) != 0) {
-    const Vec3d along(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]);
-    hit.normal = static_cast<Vec3<T>>(normalized(-along));
-  }
-  return hit;
 }
 
 template class PortionTracer<float>;

@@ -5,7 +5,6 @@
 
 #include "batch/columns.hpp"
 #include "isa/kernels.hpp"
-#include "traversal/ray_packet.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,9 +29,6 @@ class PortionTracer {
                       std::span<std::uint8_t> flags) const noexcept;
 
  private:
-  void fill(RayPacket& packet, std::size_t begin, std::size_t count) const noexcept;
-  [[nodiscard]] Hit<T> hitOf(const RayPacket& packet, std::size_t i) const noexcept;
-
   const TreeView<T>& tree_;
   const RayColumns<T>& rays_;
   const QueryOptions& options_;
