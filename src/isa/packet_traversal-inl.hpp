@@ -26,8 +26,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 static_assert(RayPacket::kRayCount == kLaneCount);
 
-/// With fewer rays that go the same way each is searched for on its own.
+/// With fewer rays that go the same way, or such that go apart so far, each is searched for on its
+/// own.
 constexpr std::size_t kFewestInPacket = 6;
+constexpr float kMostSpread = 0.25f;
 /// From here on single rays are quicker below a node.
 constexpr std::size_t kMostOnTheirOwn = 2;
 
@@ -90,45 +92,61 @@ HWY_INLINE Range rangeOf(const RayNumbers& numbers, std::uint32_t rays) {
   return {hn::GetLane(hn::MinOfLanes(d, least)), hn::GetLane(hn::MaxOfLanes(d, greatest))};
 }
 
-/// The rays as boxes and triangles see them; see WideQuery for what the numbers are.
+/// The rays as boxes and triangles see them; see WideQuery for what the numbers are. Of sets, bit i
+/// stands for ray i.
 struct PacketRays {
   RayNumbers inverse[3];
   RayNumbers toCenter[3];
   RayNumbers slack[3];
   RayNumbers nearOffset[3];
   RayNumbers farOffset[3];
-  RayNumbers origin[3];  ///< along the sheared axes
+  RayNumbers origin[3];  ///< along the sheared axes of each ray
   RayNumbers shear[2];
   RayNumbers directionZ;
-  std::uint32_t axes[3];
-  std::uint32_t octant;
+  RayNumbers depthPerT;
+  RayNumbers depthPerZ;
+  RayNumbers reach;
+  std::uint32_t isNegative[3];  ///< those whose direction is negative along the axis
+  std::uint32_t isMostly[3];    ///< those whose direction is largest along the axis
+
+  HWY_INLINE std::uint32_t octantOf(std::size_t ray) const {
+    return (isNegative[0] >> ray & 1u) | (isNegative[1] >> ray & 1u) << 1u |
+           (isNegative[2] >> ray & 1u) << 2u;
+  }
+  /// The axis along which the direction is largest.
+  HWY_INLINE std::uint32_t mainAxisOf(std::size_t ray) const {
+    return (isMostly[1] >> ray & 1u) | (isMostly[2] >> ray & 1u) << 1u;
+  }
 };
 
-/// Fills in the rays, as `prepareRay` does, and returns those that go the same way: into one
-/// octant, and mostly along one axis. Those left out, but for rays that can hit nothing, are added
-/// to the unanswered ones.
+HWY_INLINE std::uint32_t nextOf(std::uint32_t axis) {
+  return axis == 2u ? 0u : axis + 1u;
+}
+
+/// Fills in the rays, as `prepareRay` does for each of them, and returns those that may hit
+/// something. Those out of range are left unanswered.
 HWY_INLINE std::uint32_t preparePacket(const WideTree& tree, RayPacket& packet, PacketRays& rays) {
   const FloatTag d;
   const hn::RebindToUnsigned<FloatTag> bits;
   const hn::RebindToSigned<FloatTag> words;
   std::uint32_t isValid = 0;
-  std::uint32_t isEmpty = 0;
-  std::uint32_t mostlyZ = 0;
-  std::uint32_t mostlyY = 0;
-  std::uint32_t isNegative[3] = {};
+  std::uint32_t hasInterval = 0;
+  for (std::size_t a = 0; a < 3; ++a)
+    rays.isNegative[a] = rays.isMostly[a] = 0;
   forEachVector([&](auto i) {
     const std::size_t at = i * kLanesPerVector;
+    Floats origin[3];
     Floats direction[3];
     Floats toCenter[3];
     Floats notNumbers = hn::Zero(d);
     Floats largest = hn::Zero(d);
     Floats reach = hn::Zero(d);
     for (std::size_t a = 0; a < 3; ++a) {
-      const Floats origin = hn::Load(d, packet.origin[a] + at);
+      origin[a] = hn::Load(d, packet.origin[a] + at);
       direction[a] = hn::Load(d, packet.direction[a] + at);
-      toCenter[a] = hn::Sub(hn::Set(d, tree.frame.center[a]), origin);
-      notNumbers = hn::Add(notNumbers,
-                           hn::Add(hn::Sub(origin, origin), hn::Sub(direction[a], direction[a])));
+      toCenter[a] = hn::Sub(hn::Set(d, tree.frame.center[a]), origin[a]);
+      notNumbers = hn::Add(
+          notNumbers, hn::Add(hn::Sub(origin[a], origin[a]), hn::Sub(direction[a], direction[a])));
       largest = hn::Max(largest, hn::Abs(direction[a]));
       reach = hn::Max(reach, hn::Add(hn::Abs(toCenter[a]), hn::Set(d, tree.frame.halfSize[a])));
     }
@@ -137,10 +155,8 @@ HWY_INLINE std::uint32_t preparePacket(const WideTree& tree, RayPacket& packet, 
     };
     const Mask areNumbers = hn::Eq(notNumbers, hn::Zero(d));
     isValid |= bitsOf(hn::And(areNumbers, hn::And(isBetween(largest), isBetween(reach)))) << at;
-    isEmpty |= bitsOf(hn::Not(hn::Le(hn::Load(d, packet.tMin + at), hn::Load(d, packet.hitT + at))))
-               << at;
-    mostlyZ |= bitsOf(hn::Eq(hn::Abs(direction[2]), largest)) << at;
-    mostlyY |= bitsOf(hn::Eq(hn::Abs(direction[1]), largest)) << at;
+    hasInterval |= bitsOf(hn::Le(hn::Load(d, packet.tMin + at), hn::Load(d, packet.hitT + at)))
+                   << at;
 
     const auto exponent = hn::And(hn::BitCast(bits, largest), hn::Set(bits, kExponentBits));
     const Floats most = hn::BitCast(d, hn::Sub(hn::Set(bits, kExponentOfMost), exponent));
@@ -156,55 +172,55 @@ HWY_INLINE std::uint32_t preparePacket(const WideTree& tree, RayPacket& packet, 
       rays.slack[a].put(i, slack);
       rays.nearOffset[a].put(i, hn::Sub(offset, slack));
       rays.farOffset[a].put(i, hn::Add(offset, slack));
-      isNegative[a] |=
-          bitsOf(hn::RebindMask(d, hn::Lt(hn::BitCast(words, direction[a]), hn::Zero(words))))
-          << at;
+      const auto isNegative = hn::Lt(hn::BitCast(words, direction[a]), hn::Zero(words));
+      rays.isNegative[a] |= bitsOf(hn::RebindMask(d, isNegative)) << at;
     }
-  });
-  mostlyY &= ~mostlyZ;
 
-  packet.unanswered = packet.rays & ~isValid;
-  const std::uint32_t asked = packet.rays & isValid & ~isEmpty;
-  if (asked == 0)
-    return 0;
-  const auto first = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(asked));
-  const auto likeFirst = [&](std::uint32_t set) { return (set >> first & 1u) != 0 ? set : ~set; };
-  std::uint32_t together = asked & likeFirst(mostlyZ) & likeFirst(mostlyY);
-  rays.octant = 0;
-  for (std::uint32_t a = 0; a < 3; ++a) {
-    together &= likeFirst(isNegative[a]);
-    rays.octant |= (isNegative[a] >> first & 1u) << a;
-  }
-  packet.unanswered |= asked & ~together;
-  if (sizeOf(together) < kFewestInPacket) {
-    packet.unanswered |= together;
-    return 0;
-  }
-
-  const std::uint32_t kz = (mostlyZ >> first & 1u) != 0 ? 2u : mostlyY >> first & 1u;
-  rays.axes[0] = kz == 2u ? 0u : kz + 1u;
-  rays.axes[1] = rays.axes[0] == 2u ? 0u : rays.axes[0] + 1u;
-  rays.axes[2] = kz;
-  forEachVector([&](auto i) {
-    const std::size_t at = i * kLanesPerVector;
-    const Floats along = hn::Load(d, packet.direction[kz] + at);
+    const Mask isMostlyZ = hn::Eq(hn::Abs(direction[2]), largest);
+    const Mask isMostlyY = hn::AndNot(isMostlyZ, hn::Eq(hn::Abs(direction[1]), largest));
+    rays.isMostly[2] |= bitsOf(isMostlyZ) << at;
+    rays.isMostly[1] |= bitsOf(isMostlyY) << at;
+    const auto choose = [&](Floats ifX, Floats ifY, Floats ifZ) {
+      return hn::IfThenElse(isMostlyZ, ifZ, hn::IfThenElse(isMostlyY, ifY, ifX));
+    };
+    const Floats along = choose(direction[0], direction[1], direction[2]);
     rays.directionZ.put(i, along);
-    for (std::size_t k = 0; k < 2; ++k)
-      rays.shear[k].put(i, hn::Div(hn::Load(d, packet.direction[rays.axes[k]] + at), along));
-    for (std::size_t k = 0; k < 3; ++k)
-      rays.origin[k].put(i, hn::Load(d, packet.origin[rays.axes[k]] + at));
+    rays.shear[0].put(i, hn::Div(choose(direction[1], direction[2], direction[0]), along));
+    rays.shear[1].put(i, hn::Div(choose(direction[2], direction[0], direction[1]), along));
+    rays.origin[0].put(i, choose(origin[1], origin[2], origin[0]));
+    rays.origin[1].put(i, choose(origin[2], origin[0], origin[1]));
+    rays.origin[2].put(i, choose(origin[0], origin[1], origin[2]));
+    const Floats half = hn::Div(hn::Set(d, 0.5f), reach);
+    rays.reach.put(i, reach);
+    rays.depthPerT.put(i, hn::Mul(half, hn::Abs(along)));
+    rays.depthPerZ.put(i, hn::CopySign(half, along));
   });
+  rays.isMostly[0] = ~(rays.isMostly[1] | rays.isMostly[2]);
+  packet.unanswered = packet.rays & ~isValid;
+  return packet.rays & isValid & hasInterval;
+}
+
+/// Of these rays, those that go the way of the first one: into the same octant, and mostly along
+/// the same axis.
+HWY_INLINE std::uint32_t findLikeFirst(const PacketRays& rays, std::uint32_t asked) {
+  const auto first = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(asked));
+  std::uint32_t together = asked & rays.isMostly[rays.mainAxisOf(first)];
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::uint32_t set = rays.isNegative[a];
+    together &= (set >> first & 1u) != 0 ? set : ~set;
+  }
   return together;
 }
 
 /// All rays of a packet at once, for the boxes of a node: what this misses, each of them misses.
 class RayBundle {
  public:
-  HWY_INLINE RayBundle(const PacketRays& rays, const RayNumbers& tMin, std::uint32_t together) {
+  HWY_INLINE RayBundle(const PacketRays& rays, const RayNumbers& tMin, std::uint32_t octant,
+                       std::uint32_t together) {
     for (std::size_t a = 0; a < 3; ++a) {
       const Range inverse = rangeOf(rays.inverse[a], together);
       const Range toCenter = rangeOf(rays.toCenter[a], together);
-      const bool isNegative = (rays.octant >> a & 1u) != 0;
+      const bool isNegative = (octant >> a & 1u) != 0;
       leastInverse_[a] = inverse.least;
       greatestInverse_[a] = inverse.greatest;
       nearToCenter_[a] = isNegative ? toCenter.greatest : toCenter.least;
@@ -252,13 +268,19 @@ class RayBundle {
 /// The same for the triangles of a block.
 class ShearedBundle {
  public:
-  HWY_INLINE ShearedBundle(const PacketRays& rays, std::uint32_t together) {
+  HWY_INLINE ShearedBundle(const PacketRays& rays, const std::uint32_t (&axes)[3],
+                           std::uint32_t together) {
     for (std::size_t k = 0; k < 3; ++k) {
       origin_[k] = rangeOf(rays.origin[k], together);
-      rows_[k] = rays.axes[k] * TriangleBlock::kPositionCount;
+      rows_[k] = axes[k] * TriangleBlock::kPositionCount;
     }
     for (std::size_t k = 0; k < 2; ++k)
       shear_[k] = rangeOf(rays.shear[k], together);
+  }
+
+  /// How far the directions go apart, in parts of the largest component.
+  HWY_INLINE float spread() const {
+    return larger(shear_[0].greatest - shear_[0].least, shear_[1].greatest - shear_[1].least);
   }
 
   /// The triangles that any of the rays may hit. Each step is rounded as for a single ray, and
@@ -335,37 +357,27 @@ struct PacketHits {
   HWY_ALIGN double weights[3][kLaneCount];
 };
 
+/// Answers a packet: rays that go the same way together, the others one by one.
 template <class Goal>
 class PacketSearch {
  public:
-  HWY_INLINE PacketSearch(const WideTree& tree, RayPacket& packet, const PacketRays& rays,
-                          std::uint32_t together)
-      : tree_(tree),
-        packet_(packet),
-        rays_(rays),
-        bundle_(rays, tMin(), together),
-        sheared_(rays, together),
-        alive_(together) {
-    tMax_ = rangeOf(hitT(), together).greatest;
+  HWY_INLINE PacketSearch(const WideTree& tree, RayPacket& packet) : tree_(tree), packet_(packet) {
+    packet_.hits = 0;
+    packet_.flatHits = 0;
+    const WordTag words;
+    forEachVector([&](auto i) {
+      hn::Store(hn::Set(words, 0xFFFF'FFFFu), words, packet_.hitObject + i * kLanesPerVector);
+    });
   }
 
   HWY_INLINE void run() {
-    push(tree_.root, alive_, tMin());
-    while (size_ > 0) {
-      --size_;
-      const WideChild child = WideChild::fromWord(stack_.children[size_]);
-      const std::uint32_t rays = stack_.rays[size_] & alive_ & notBehind(stack_.tNear[size_]);
-      if (rays == 0)
-        continue;
-      if (sizeOf(rays) <= kMostOnTheirOwn)
-        searchOneByOne(child, rays);
-      else if (child.isNode())
-        visitNode(tree_.nodes[child.nodeIndex()], rays);
-      else
-        visitBlocks(child, rays);
-      if (Goal::kStopsAtAnyHit && alive_ == 0)
-        return;
+    std::uint32_t asked = preparePacket(tree_, packet_, rays_);
+    if (asked != 0) {
+      const std::uint32_t together = findLikeFirst(rays_, asked);
+      if (sizeOf(together) >= kFewestInPacket && searchTogether(together))
+        asked &= ~together;
     }
+    searchOneByOne(tree_.root, asked);
     if constexpr (!Goal::kStopsAtAnyHit)
       finish();
   }
@@ -375,6 +387,42 @@ class PacketSearch {
     return reinterpret_cast<const RayNumbers&>(packet_.tMin);
   }
   HWY_INLINE RayNumbers& hitT() { return reinterpret_cast<RayNumbers&>(packet_.hitT); }
+
+  /// False if they go apart too far.
+  HWY_INLINE bool searchTogether(std::uint32_t together) {
+    const auto first = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(together));
+    setAxes(rays_.mainAxisOf(first), axes_);
+    octant_ = rays_.octantOf(first);
+    const ShearedBundle sheared(rays_, axes_, together);
+    if (!(sheared.spread() <= kMostSpread))
+      return false;
+    const RayBundle bundle(rays_, tMin(), octant_, together);
+    alive_ = together;
+    tMax_ = rangeOf(hitT(), together).greatest;
+    push(tree_.root, together, tMin());
+    while (size_ > 0) {
+      --size_;
+      const WideChild child = WideChild::fromWord(stack_.children[size_]);
+      const std::uint32_t rays = stack_.rays[size_] & alive_ & notBehind(stack_.tNear[size_]);
+      if (rays == 0)
+        continue;
+      if (sizeOf(rays) <= kMostOnTheirOwn)
+        searchOneByOne(child, rays);
+      else if (child.isNode())
+        visitNode(tree_.nodes[child.nodeIndex()], bundle, rays);
+      else
+        visitBlocks(child, sheared, rays);
+      if (Goal::kStopsAtAnyHit && alive_ == 0)
+        size_ = 0;
+    }
+    return true;
+  }
+
+  static HWY_INLINE void setAxes(std::uint32_t main, std::uint32_t (&axes)[3]) {
+    axes[0] = nextOf(main);
+    axes[1] = nextOf(axes[0]);
+    axes[2] = main;
+  }
 
   HWY_INLINE void push(WideChild child, std::uint32_t rays, const RayNumbers& tNear) {
     stack_.children[size_] = child.word();
@@ -388,13 +436,11 @@ class PacketSearch {
     return bitsOf(isBefore);
   }
 
-  HWY_INLINE void visitNode(const WideNode& node, std::uint32_t rays) {
-    const WordTag words;
+  HWY_INLINE void visitNode(const WideNode& node, const RayBundle& bundle, std::uint32_t rays) {
     BoxTest test;
-    bundle_.test(node, tMax_, test);
-    const SlotOrder& order = node.orders[rays_.octant];
+    bundle.test(node, tMax_, test);
+    const SlotOrder& order = node.orders[octant_];
     const std::uint32_t met = findMet(test);
-    (void)words;
     if (met == 0)
       return;
     for (std::size_t i = 0; i < kLaneCount; ++i) {
@@ -407,7 +453,7 @@ class PacketSearch {
   HWY_INLINE void pushIfMet(const WideNode& node, std::size_t slot, std::uint32_t rays) {
     const FloatTag d;
     const auto plane = [&](std::size_t a, std::uint32_t isFar) {
-      return hn::Set(d, node.planes[2 * a + ((rays_.octant >> a & 1u) ^ isFar)][slot]);
+      return hn::Set(d, node.planes[2 * a + ((octant_ >> a & 1u) ^ isFar)][slot]);
     };
     Mask isMet[kVectorCount];
     forEachVector([&](auto i) {
@@ -427,11 +473,11 @@ class PacketSearch {
     size_ += stack_.rays[size_] != 0 ? 1u : 0u;
   }
 
-  HWY_INLINE void visitBlocks(WideChild child, std::uint32_t rays) {
+  HWY_INLINE void visitBlocks(WideChild child, const ShearedBundle& sheared, std::uint32_t rays) {
     const std::uint32_t end = child.firstBlock() + child.blockCount();
     for (std::uint32_t index = child.firstBlock(); index < end; ++index) {
       const TriangleBlock& block = tree_.blocks[index];
-      for (std::uint32_t lanes = sheared_.findMet(block); lanes != 0; lanes &= lanes - 1) {
+      for (std::uint32_t lanes = sheared.findMet(block); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
         testTriangle(block, index, lane, rays);
         if constexpr (Goal::kStopsAtAnyHit) {
@@ -452,7 +498,7 @@ class PacketSearch {
     const FloatTag d;
     forEachVector([&](auto i) {
       const auto fromOrigin = [&](std::size_t k) {
-        return hn::Sub(hn::Set(d, block.positions[rays_.axes[k]][position]), rays_.origin[k][i]);
+        return hn::Sub(hn::Set(d, block.positions[axes_[k]][position]), rays_.origin[k][i]);
       };
       const Floats z = fromOrigin(2);
       corner.z.put(i, z);
@@ -579,16 +625,22 @@ class PacketSearch {
     if ((prepared_ >> ray & 1u) != 0)
       return *std::launder(static_cast<WideQuery*>(place));
     prepared_ |= 1u << ray;
-    const float numbers[6] = {packet_.origin[0][ray],    packet_.origin[1][ray],
-                              packet_.origin[2][ray],    packet_.direction[0][ray],
-                              packet_.direction[1][ray], packet_.direction[2][ray]};
     auto* const query =
         new (place) WideQuery(tree_, kNoTests, packet_.tMin[ray], packet_.hitT[ray]);
-    query->ray = numbers;
-    // It was found valid before.
-    static_cast<void>(prepareRay(*query));
-    query->ray = nullptr;
-    scaleDepths(*query);
+    setAxes(rays_.mainAxisOf(ray), query->axes);
+    for (std::size_t k = 0; k < 3; ++k) {
+      query->origin[k] = rays_.origin[k].of[ray];
+      query->inverse[k] = rays_.inverse[k].of[ray];
+      query->nearOffset[k] = rays_.nearOffset[k].of[ray];
+      query->farOffset[k] = rays_.farOffset[k].of[ray];
+    }
+    query->shear[0] = rays_.shear[0].of[ray];
+    query->shear[1] = rays_.shear[1].of[ray];
+    query->directionZ = rays_.directionZ.of[ray];
+    query->depthPerT = rays_.depthPerT.of[ray];
+    query->depthPerZ = rays_.depthPerZ.of[ray];
+    query->reach = rays_.reach.of[ray];
+    query->octant = rays_.octantOf(ray);
     return *query;
   }
 
@@ -642,10 +694,10 @@ class PacketSearch {
 
   const WideTree& tree_;
   RayPacket& packet_;
-  const PacketRays& rays_;
-  RayBundle bundle_;
-  ShearedBundle sheared_;
-  std::uint32_t alive_;  ///< rays that still look for something
+  PacketRays rays_;
+  std::uint32_t axes_[3];  ///< of the rays that are searched for together
+  std::uint32_t octant_;
+  std::uint32_t alive_;  ///< those of them that still look for something
   float tMax_;           ///< the end of the longest of them
   std::size_t size_ = 0;
   std::uint32_t prepared_ = 0;  ///< rays that have a query of their own
@@ -657,18 +709,7 @@ class PacketSearch {
 
 template <class Goal>
 void searchPacket(const WideTree& tree, RayPacket& packet) noexcept {
-  PacketRays rays;
-  packet.hits = 0;
-  packet.flatHits = 0;
-  const std::uint32_t together = preparePacket(tree, packet, rays);
-  if (together == 0)
-    return;
-  const hn::FixedTag<std::uint32_t, kLanesPerVector> words;
-  forEachVector([&](auto i) {
-    hn::Store(hn::Set(words, 0xFFFF'FFFFu), words, packet.hitObject + i * kLanesPerVector);
-  });
-  PacketSearch<Goal> search(tree, packet, rays, together);
-  search.run();
+  PacketSearch<Goal>(tree, packet).run();
 }
 
 }  // namespace planetree::detail::HWY_NAMESPACE
