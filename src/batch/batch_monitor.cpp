@@ -17,17 +17,17 @@ void BatchMonitor::throwIfStopped() const {
     throw Cancelled();
 }
 
-void BatchMonitor::advance(std::size_t rayCount) {
+void BatchMonitor::advance(std::size_t packetCount) {
   throwIfStopped();
   if (!control_.onProgress)
     return;
-  doneCount_ += rayCount;
+  doneCount_ += packetCount;
   const std::unique_lock lock(telling_, std::try_to_lock);
   const Clock::time_point now = Clock::now();
   if (!lock || now - lastTold_ < kTellingInterval)
     return;
   lastTold_ = now;
-  const double done = static_cast<double>(doneCount_) / static_cast<double>(rayCount_);
+  const double done = static_cast<double>(doneCount_) / static_cast<double>(packetCount_);
   told_ = std::max(told_, std::min(done, kMostBeforeTheEnd));
   control_.onProgress(told_);
 }

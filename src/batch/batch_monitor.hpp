@@ -13,13 +13,13 @@ namespace planetree::detail {
 /// threads.
 class BatchMonitor {
  public:
-  BatchMonitor(const BatchControl& control, std::size_t rayCount) noexcept
-      : control_(control), rayCount_(rayCount) {}
+  BatchMonitor(const BatchControl& control, std::size_t packetCount) noexcept
+      : control_(control), packetCount_(packetCount) {}
 
   /// Throws `Cancelled` if a stop has been requested.
   void throwIfStopped() const;
-  /// So many rays more have been traced; throws what the caller throws, or `Cancelled`.
-  void advance(std::size_t rayCount);
+  /// So many packets more have been traced; throws what the caller throws, or `Cancelled`.
+  void advance(std::size_t packetCount);
   /// All have been traced.
   void finish() const;
 
@@ -27,7 +27,7 @@ class BatchMonitor {
   using Clock = std::chrono::steady_clock;
 
   const BatchControl& control_;
-  std::size_t rayCount_;
+  std::size_t packetCount_;
   std::atomic<std::size_t> doneCount_ = 0;
   std::mutex telling_;
   double told_ = 0.0;                          ///< guarded by `telling_`

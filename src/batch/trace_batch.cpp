@@ -18,10 +18,10 @@ namespace planetree {
 namespace detail {
 namespace {
 
-/// Rays that one thread traces before it looks up: some hundred microseconds.
-constexpr std::size_t kPortion = 4096;
-/// Batches up to this size are not worth waking other threads.
-constexpr std::size_t kMostForOneThread = 1024;
+/// Packets that one thread traces before it looks up: some hundred microseconds.
+constexpr std::size_t kPortion = 256;
+/// Batches of no more packets are not worth waking other threads.
+constexpr std::size_t kMostForOneThread = 64;
 
 void requireSize(std::size_t size, std::size_t rayCount, const std::string& what) {
   if (size == rayCount)
@@ -63,12 +63,12 @@ void requireSizes(const HitArrays<T>& hits, std::size_t rayCount) {
   requireSizeIfThere(hits.part, rayCount, "part");
 }
 
-/// Calls `trace(begin, end)`, which returns how many of these rays hit, for all rays in portions,
-/// and returns the sum.
+/// Calls `trace(begin, end)`, which returns how many rays of these packets hit, for all packets in
+/// portions, and returns the sum.
 template <class Trace>
-std::size_t traceInPortions(std::size_t rayCount, const BatchOptions& options,
+std::size_t traceInPortions(std::size_t packetCount, const BatchOptions& options,
                             const BatchControl& control, const Trace& trace) {
-  BatchMonitor monitor(control, rayCount);
+  BatchMonitor monitor(control, packetCount);
   monitor.throwIfStopped();
   const auto tracePortions = [&](std::size_t begin, std::size_t end) {
     std::size_t hitCount = 0;
@@ -80,12 +80,12 @@ std::size_t traceInPortions(std::size_t rayCount, const BatchOptions& options,
     return hitCount;
   };
   std::size_t hitCount = 0;
-  if (rayCount <= kMostForOneThread || options.threadCount == 1) {
-    hitCount = tracePortions(0, rayCount);
+  if (packetCount <= kMostForOneThread || options.threadCount == 1) {
+    hitCount = tracePortions(0, packetCount);
   } else {
     const auto inParallel = [&] {
       hitCount = tbb::parallel_reduce(
-          tbb::blocked_range<std::size_t>(0, rayCount, kPortion), std::size_t{0},
+          tbb::blocked_range<std::size_t>(0, packetCount, kPortion), std::size_t{0},
           [&](const tbb::blocked_range<std::size_t>& range, std::size_t sum) {
             return sum + tracePortions(range.begin(), range.end());
           },
@@ -106,9 +106,9 @@ std::size_t findNearest(const TreeView<T>& tree, const RayColumns<T>& rays,
                         const HitColumns<T>& hits, const BatchOptions& options,
                         const BatchControl& control) {
   const PortionTracer<T> tracer(tree, rays, options.query);
-  return traceInPortions(rays.count, options, control, [&](std::size_t begin, std::size_t end) {
-    return tracer.findNearest(begin, end, hits);
-  });
+  return traceInPortions(
+      tracer.packetCount(), options, control,
+      [&](std::size_t begin, std::size_t end) { return tracer.findNearest(begin, end, hits); });
 }
 
 template <class T>
@@ -117,9 +117,9 @@ std::size_t findAny(const TreeView<T>& tree, const RayColumns<T>& rays,
                     const BatchControl& control) {
   requireSize(flags.size(), rays.count, "flags");
   const PortionTracer<T> tracer(tree, rays, options.query);
-  return traceInPortions(rays.count, options, control, [&](std::size_t begin, std::size_t end) {
-    return tracer.findAny(begin, end, flags);
-  });
+  return traceInPortions(
+      tracer.packetCount(), options, control,
+      [&](std::size_t begin, std::size_t end) { return tracer.findAny(begin, end, flags); });
 }
 
 }  // namespace

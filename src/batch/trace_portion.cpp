@@ -24,17 +24,13 @@ void forEachIn(std::uint32_t set, const Visit& visit) {
     visit(static_cast<std::size_t>(std::countr_zero(set)));
 }
 
-std::size_t sizeOfNext(std::size_t begin, std::size_t end) noexcept {
-  return std::min(kRayCount, end - begin);
-}
-
-void fill(const RayColumns<float>& rays, std::size_t begin, std::size_t count,
+void fill(const RayColumns<float>& rays, const PacketOrder::Place& place,
           RayPacket& packet) noexcept {
   constexpr float kLargest = std::numeric_limits<float>::max();
-  packet.rays = (1u << count) - 1u;
+  packet.rays = (1u << place.size()) - 1u;
   for (std::size_t i = 0; i < kRayCount; ++i) {
     // Places without a ray get the last one once more.
-    const std::size_t ray = begin + std::min(i, count - 1);
+    const std::size_t ray = place.ray(std::min(i, place.size() - 1));
     for (std::size_t a = 0; a < 3; ++a) {
       packet.origin[a][i] = rays.origin[a][ray];
       packet.direction[a][i] = rays.direction[a][ray];
@@ -68,7 +64,7 @@ Hitf hitOf(const TreeView<float>& tree, const RayPacket& packet, std::size_t i) 
 template <class T>
 PortionTracer<T>::PortionTracer(const TreeView<T>& tree, const RayColumns<T>& rays,
                                 const QueryOptions& options) noexcept
-    : tree_(tree), rays_(rays), options_(options) {
+    : tree_(tree), rays_(rays), order_(rays, tree.bounds), options_(options) {
   if constexpr (std::is_same_v<T, float>) {
     const bool arePacked = tree.wide != nullptr && !tree.wide->nodes.empty() &&
                            !tree.wide->holdsObjects && (options.mask & tree.wide->commonMask) != 0;
@@ -86,22 +82,23 @@ std::size_t PortionTracer<T>::findNearest(std::size_t begin, std::size_t end,
     hits.write(ray, hit.value_or(Hit<T>{}));
     hitCount += hit ? 1u : 0u;
   };
-  if constexpr (std::is_same_v<T, float>) {
-    if (kernels_ != nullptr) {
-      RayPacket packet;
-      for (; begin < end; begin += sizeOfNext(begin, end)) {
-        fill(rays_, begin, sizeOfNext(begin, end), packet);
+  for (; begin < end; ++begin) {
+    const PacketOrder::Place place = order_[begin];
+    if constexpr (std::is_same_v<T, float>) {
+      if (kernels_ != nullptr) {
+        RayPacket packet;
+        fill(rays_, place, packet);
         kernels_->findNearestOfPacket(*tree_.wide, packet);
-        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(begin + i); });
+        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(place.ray(i)); });
         forEachIn(packet.rays & ~packet.unanswered,
-                  [&](std::size_t i) { hits.write(begin + i, hitOf(tree_, packet, i)); });
+                  [&](std::size_t i) { hits.write(place.ray(i), hitOf(tree_, packet, i)); });
         hitCount += static_cast<std::size_t>(std::popcount(packet.hits));
+        continue;
       }
-      return hitCount;
     }
+    for (std::size_t i = 0; i < place.size(); ++i)
+      traceAlone(place.ray(i));
   }
-  for (; begin < end; ++begin)
-    traceAlone(begin);
   return hitCount;
 }
 
@@ -113,23 +110,25 @@ std::size_t PortionTracer<T>::findAny(std::size_t begin, std::size_t end,
     flags[ray] = isHit ? 1u : 0u;
     hitCount += isHit ? 1u : 0u;
   };
-  if constexpr (std::is_same_v<T, float>) {
-    if (kernels_ != nullptr) {
-      RayPacket packet;
-      for (; begin < end; begin += sizeOfNext(begin, end)) {
-        fill(rays_, begin, sizeOfNext(begin, end), packet);
+  const auto traceAlone = [&](std::size_t ray) {
+    write(ray, isOccluded(tree_, rays_[ray], options_));
+  };
+  for (; begin < end; ++begin) {
+    const PacketOrder::Place place = order_[begin];
+    if constexpr (std::is_same_v<T, float>) {
+      if (kernels_ != nullptr) {
+        RayPacket packet;
+        fill(rays_, place, packet);
         kernels_->findAnyOfPacket(*tree_.wide, packet);
-        forEachIn(packet.unanswered, [&](std::size_t i) {
-          write(begin + i, isOccluded(tree_, rays_[begin + i], options_));
-        });
+        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(place.ray(i)); });
         forEachIn(packet.rays & ~packet.unanswered,
-                  [&](std::size_t i) { write(begin + i, (packet.hits >> i & 1u) != 0); });
+                  [&](std::size_t i) { write(place.ray(i), (packet.hits >> i & 1u) != 0); });
+        continue;
       }
-      return hitCount;
     }
+    for (std::size_t i = 0; i < place.size(); ++i)
+      traceAlone(place.ray(i));
   }
-  for (; begin < end; ++begin)
-    write(begin, isOccluded(tree_, rays_[begin], options_));
   return hitCount;
 }
 

@@ -4,6 +4,7 @@
 #include <planetree/traversal/tree_view.hpp>
 
 #include "batch/columns.hpp"
+#include "batch/packet_order.hpp"
 #include "isa/kernels.hpp"
 
 #include <cstddef>
@@ -21,7 +22,9 @@ class PortionTracer {
   PortionTracer(const TreeView<T>& tree, const RayColumns<T>& rays,
                 const QueryOptions& options) noexcept;
 
-  /// The nearest hits of the rays from `begin` to `end`. Returns how many hit something.
+  [[nodiscard]] std::size_t packetCount() const noexcept { return order_.packetCount(); }
+
+  /// The nearest hits of the packets from `begin` to `end`. Returns how many rays hit something.
   std::size_t findNearest(std::size_t begin, std::size_t end,
                           const HitColumns<T>& hits) const noexcept;
   /// The same for any hit.
@@ -31,6 +34,7 @@ class PortionTracer {
  private:
   const TreeView<T>& tree_;
   const RayColumns<T>& rays_;
+  PacketOrder order_;
   const QueryOptions& options_;
   const Kernels* kernels_ = nullptr;  ///< null if there are no packets for such a query
 };
