@@ -37,8 +37,10 @@ struct RayColumns {
   Column<const T> tMin = {&kNoTMin, 0};
   Column<const T> tMax = {&kNoTMax, 0};
   std::size_t count = 0;
+  const Ray<T>* records = nullptr;  ///< the rays, if their numbers stand side by side
 
-  explicit RayColumns(std::span<const Ray<T>> rays) noexcept : count(rays.size()) {
+  explicit RayColumns(std::span<const Ray<T>> rays) noexcept
+      : count(rays.size()), records(rays.data()) {
     constexpr std::size_t kStride = sizeof(Ray<T>) / sizeof(T);
     const T* const first = rays.empty() ? nullptr : &rays.front().origin.x;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -59,6 +61,8 @@ struct RayColumns {
   }
 
   [[nodiscard]] Ray<T> operator[](std::size_t i) const noexcept {
+    if (records != nullptr)
+      return records[i];
     return {.origin = {origin[0][i], origin[1][i], origin[2][i]},
             .direction = {direction[0][i], direction[1][i], direction[2][i]},
             .tMin = tMin[i],

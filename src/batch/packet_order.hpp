@@ -6,6 +6,7 @@
 #include "traversal/ray_packet.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace planetree::detail {
@@ -15,17 +16,10 @@ namespace planetree::detail {
 /// rays as they come.
 class PacketOrder {
  public:
-  /// The rays of one packet: `rows` times `columns` of them.
+  /// The rays of one packet.
   struct Place {
-    std::size_t first = 0;
-    std::size_t rows = 1;
-    std::size_t columns = 0;
-    std::size_t width = 0;  ///< from a row to the next
-
-    [[nodiscard]] std::size_t size() const noexcept { return rows * columns; }
-    [[nodiscard]] std::size_t ray(std::size_t i) const noexcept {
-      return first + i / columns * width + i % columns;
-    }
+    std::array<std::size_t, RayPacket::kRayCount> rays;
+    std::size_t count = 0;
   };
 
   /// Finds out how wide the picture is, if it is one; `bounds` are those of the tree.
@@ -34,16 +28,23 @@ class PacketOrder {
 
   [[nodiscard]] std::size_t packetCount() const noexcept { return packetCount_; }
   [[nodiscard]] Place operator[](std::size_t packet) const noexcept {
+    Place place;
     if (width_ == 0) {
       const std::size_t first = packet * RayPacket::kRayCount;
-      return {.first = first, .columns = std::min(RayPacket::kRayCount, rayCount_ - first)};
+      place.count = std::min(RayPacket::kRayCount, rayCount_ - first);
+      for (std::size_t i = 0; i < RayPacket::kRayCount; ++i)
+        place.rays[i] = first + i;
+      return place;
     }
-    const std::size_t row = packet / packetsPerRow_ * kSide;
+    const std::size_t firstRow = packet / packetsPerRow_ * kSide;
     const std::size_t column = packet % packetsPerRow_ * kSide;
-    return {.first = row * width_ + column,
-            .rows = std::min(kSide, rayCount_ / width_ - row),
-            .columns = std::min(kSide, width_ - column),
-            .width = width_};
+    const std::size_t rowCount = std::min(kSide, rayCount_ / width_ - firstRow);
+    const std::size_t columnCount = std::min(kSide, width_ - column);
+    for (std::size_t row = firstRow; row < firstRow + rowCount; ++row) {
+      for (std::size_t i = 0; i < columnCount; ++i)
+        place.rays[place.count++] = row * width_ + column + i;
+    }
+    return place;
   }
 
   /// 0 if the rays are not those of a picture.

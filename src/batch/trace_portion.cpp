@@ -27,17 +27,20 @@ void forEachIn(std::uint32_t set, const Visit& visit) {
 void fill(const RayColumns<float>& rays, const PacketOrder::Place& place,
           RayPacket& packet) noexcept {
   constexpr float kLargest = std::numeric_limits<float>::max();
-  packet.rays = (1u << place.size()) - 1u;
+  packet.rays = (1u << place.count) - 1u;
   for (std::size_t i = 0; i < kRayCount; ++i) {
     // Places without a ray get the last one once more.
-    const std::size_t ray = place.ray(std::min(i, place.size() - 1));
-    for (std::size_t a = 0; a < 3; ++a) {
-      packet.origin[a][i] = rays.origin[a][ray];
-      packet.direction[a][i] = rays.direction[a][ray];
-    }
-    packet.tMin[i] = rays.tMin[ray];
+    const std::size_t ray = place.rays[std::min(i, place.count - 1)];
+    const Rayf from = rays[ray];
+    packet.origin[0][i] = from.origin.x;
+    packet.origin[1][i] = from.origin.y;
+    packet.origin[2][i] = from.origin.z;
+    packet.direction[0][i] = from.direction.x;
+    packet.direction[1][i] = from.direction.y;
+    packet.direction[2][i] = from.direction.z;
+    packet.tMin[i] = from.tMin;
     // A hit at infinity could not be told from a miss. A NaN stays.
-    packet.hitT[i] = rays.tMax[ray] > kLargest ? kLargest : rays.tMax[ray];
+    packet.hitT[i] = from.tMax > kLargest ? kLargest : from.tMax;
   }
 }
 
@@ -89,15 +92,15 @@ std::size_t PortionTracer<T>::findNearest(std::size_t begin, std::size_t end,
         RayPacket packet;
         fill(rays_, place, packet);
         kernels_->findNearestOfPacket(*tree_.wide, packet);
-        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(place.ray(i)); });
+        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(place.rays[i]); });
         forEachIn(packet.rays & ~packet.unanswered,
-                  [&](std::size_t i) { hits.write(place.ray(i), hitOf(tree_, packet, i)); });
+                  [&](std::size_t i) { hits.write(place.rays[i], hitOf(tree_, packet, i)); });
         hitCount += static_cast<std::size_t>(std::popcount(packet.hits));
         continue;
       }
     }
-    for (std::size_t i = 0; i < place.size(); ++i)
-      traceAlone(place.ray(i));
+    for (std::size_t i = 0; i < place.count; ++i)
+      traceAlone(place.rays[i]);
   }
   return hitCount;
 }
@@ -120,14 +123,14 @@ std::size_t PortionTracer<T>::findAny(std::size_t begin, std::size_t end,
         RayPacket packet;
         fill(rays_, place, packet);
         kernels_->findAnyOfPacket(*tree_.wide, packet);
-        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(place.ray(i)); });
+        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(place.rays[i]); });
         forEachIn(packet.rays & ~packet.unanswered,
-                  [&](std::size_t i) { write(place.ray(i), (packet.hits >> i & 1u) != 0); });
+                  [&](std::size_t i) { write(place.rays[i], (packet.hits >> i & 1u) != 0); });
         continue;
       }
     }
-    for (std::size_t i = 0; i < place.size(); ++i)
-      traceAlone(place.ray(i));
+    for (std::size_t i = 0; i < place.count; ++i)
+      traceAlone(place.rays[i]);
   }
   return hitCount;
 }

@@ -39,8 +39,10 @@ using DoubleTag = hn::FixedTag<double, kDoublesPerVector>;
 using Doubles = hn::Vec<DoubleTag>;
 /// As many floats as doubles.
 using NarrowTag = hn::FixedTag<float, kDoublesPerVector>;
-using NarrowWordTag = hn::FixedTag<std::uint32_t, kDoublesPerVector>;
 using Narrow = hn::Vec<NarrowTag>;
+/// Vectors of doubles for one of floats.
+constexpr std::size_t kPartCount = kLanesPerVector / kDoublesPerVector;
+static_assert(kPartCount == 1 || kPartCount == 2);
 
 /// The lanes of one vector in a set of sixteen.
 template <class Tag>
@@ -341,6 +343,29 @@ class ShearedBundle {
   std::size_t rows_[3];
 };
 
+/// The places in an order, from the farthest on, of slots whose boxes are met.
+HWY_INLINE std::uint32_t findMetInOrder(const SlotOrder& order, const BoxTest& test) {
+  if constexpr (kVectorCount <= 2) {
+    const WordTag words;
+    const hn::Repartition<std::uint64_t, WordTag> longWords;
+    const Words packed = hn::BitCast(words, hn::Set(longWords, order.word()));
+    Mask isMet[kVectorCount];
+    forEachVector([&](auto i) {
+      const Words slots =
+          hn::And(hn::Shr(packed, hn::Load(words, kSlotShifts + i * kLanesPerVector)),
+                  hn::Set(words, kLaneCount - 1));
+      isMet[i] = hn::Le(pick(test.tNear, slots), pick(test.tFar, slots));
+    });
+    return bitsOf(isMet);
+  } else {
+    const std::uint32_t met = findMet(test);
+    std::uint32_t ordered = 0;
+    for (std::size_t i = 0; i < kLaneCount; ++i)
+      ordered |= (met >> order[i] & 1u) << i;
+    return ordered;
+  }
+}
+
 /// Subtrees that were put off, the nearest on top, and for which rays.
 struct PacketStack {
   static constexpr std::size_t kCapacity = (kMaxWideDepth + 1) * kLaneCount;
@@ -367,6 +392,8 @@ class PacketSearch {
     const WordTag words;
     forEachVector([&](auto i) {
       hn::Store(hn::Set(words, 0xFFFF'FFFFu), words, packet_.hitObject + i * kLanesPerVector);
+      hn::Store(hn::Zero(words), words, hits_.block + i * kLanesPerVector);
+      hn::Store(hn::Zero(words), words, hits_.lane + i * kLanesPerVector);
     });
   }
 
@@ -398,7 +425,7 @@ class PacketSearch {
       return false;
     const RayBundle bundle(rays_, tMin(), octant_, together);
     alive_ = together;
-    tMax_ = rangeOf(hitT(), together).greatest;
+    tMaxIsOld_ = true;
     push(tree_.root, together, tMin());
     while (size_ > 0) {
       --size_;
@@ -438,16 +465,11 @@ class PacketSearch {
 
   HWY_INLINE void visitNode(const WideNode& node, const RayBundle& bundle, std::uint32_t rays) {
     BoxTest test;
-    bundle.test(node, tMax_, test);
+    bundle.test(node, tMax(), test);
     const SlotOrder& order = node.orders[octant_];
-    const std::uint32_t met = findMet(test);
-    if (met == 0)
-      return;
-    for (std::size_t i = 0; i < kLaneCount; ++i) {
-      const std::size_t slot = order[i];
-      if ((met >> slot & 1u) != 0)
-        pushIfMet(node, slot, rays);
-    }
+    // From the farthest to the nearest, so that this one comes to lie on top.
+    for (std::uint32_t met = findMetInOrder(order, test); met != 0; met &= met - 1)
+      pushIfMet(node, order[hwy::Num0BitsBelowLS1Bit_Nonzero32(met)], rays);
   }
 
   HWY_INLINE void pushIfMet(const WideNode& node, std::size_t slot, std::uint32_t rays) {
@@ -477,8 +499,15 @@ class PacketSearch {
     const std::uint32_t end = child.firstBlock() + child.blockCount();
     for (std::uint32_t index = child.firstBlock(); index < end; ++index) {
       const TriangleBlock& block = tree_.blocks[index];
+      std::uint32_t known = 0;  // corners that have been sheared
       for (std::uint32_t lanes = sheared.findMet(block); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          const std::uint32_t position = block.corners[corner][lane];
+          if ((known >> position & 1u) == 0)
+            shear(block, position);
+          known |= 1u << position;
+        }
         testTriangle(block, index, lane, rays);
         if constexpr (Goal::kStopsAtAnyHit) {
           rays &= alive_;
@@ -494,8 +523,9 @@ class PacketSearch {
     RayNumbers x, y, z;
   };
 
-  HWY_INLINE void shear(const TriangleBlock& block, std::size_t position, Corner& corner) const {
+  HWY_INLINE void shear(const TriangleBlock& block, std::size_t position) {
     const FloatTag d;
+    Corner& corner = corners_[position];
     forEachVector([&](auto i) {
       const auto fromOrigin = [&](std::size_t k) {
         return hn::Sub(hn::Set(d, block.positions[axes_[k]][position]), rays_.origin[k][i]);
@@ -511,10 +541,9 @@ class PacketSearch {
   HWY_INLINE void testTriangle(const TriangleBlock& block, std::uint32_t index, std::uint32_t lane,
                                std::uint32_t rays) {
     const FloatTag d;
-    Corner a, b, c;
-    shear(block, block.corners[0][lane], a);
-    shear(block, block.corners[1][lane], b);
-    shear(block, block.corners[2][lane], c);
+    const Corner& a = corners_[block.corners[0][lane]];
+    const Corner& b = corners_[block.corners[1][lane]];
+    const Corner& c = corners_[block.corners[2][lane]];
     Mask isCandidate[kVectorCount];
     forEachVector([&](auto i) {
       const Floats u = hn::Sub(hn::Mul(c.x[i], b.y[i]), hn::Mul(c.y[i], b.x[i]));
@@ -532,59 +561,99 @@ class PacketSearch {
   /// As `acceptTriangle`, for the rays of a set.
   HWY_INLINE void decide(const Corner& a, const Corner& b, const Corner& c, std::uint32_t object,
                          std::uint32_t block, std::uint32_t lane, std::uint32_t rays) {
-    const DoubleTag d;
-    const NarrowTag narrow;
-    const NarrowWordTag words;
+    const FloatTag d;
+    const WordTag words;
     std::uint32_t accepted = 0;
-    for (std::size_t at = 0; at < kLaneCount; at += kDoublesPerVector) {
-      const auto wide = [&](const RayNumbers& numbers) {
-        return hn::PromoteTo(d, hn::Load(narrow, numbers.of + at));
-      };
-      const auto edge = [](Doubles px, Doubles qy, Doubles qx, Doubles py) {
-        return hn::Sub(hn::Mul(px, qy), hn::Mul(qx, py));
-      };
-      const Doubles ax = wide(a.x), ay = wide(a.y);
-      const Doubles bx = wide(b.x), by = wide(b.y);
-      const Doubles cx = wide(c.x), cy = wide(c.y);
-      const Doubles u = edge(cx, by, cy, bx);
-      const Doubles v = edge(ax, cy, ay, cx);
-      const Doubles w = edge(bx, ay, by, ax);
-      const Doubles zero = hn::Zero(d);
-      const Doubles sum = hn::Add(hn::Add(u, v), w);
-      const auto isOutside =
-          hn::And(hn::Lt(hn::Min(hn::Min(u, v), w), zero), hn::Gt(hn::Max(hn::Max(u, v), w), zero));
-      const auto isHit = hn::AndNot(isOutside, hn::Ne(sum, zero));
-      const Doubles z =
-          hn::Add(hn::Add(hn::Mul(u, wide(a.z)), hn::Mul(v, wide(b.z))), hn::Mul(w, wide(c.z)));
-      const Doubles t = hn::Div(z, hn::Mul(sum, wide(rays_.directionZ)));
-      // With a NaN nothing is accepted.
-      const Narrow nearest = hn::DemoteTo(
-          narrow, hn::IfThenElse(isHit, t, hn::Set(d, std::numeric_limits<double>::quiet_NaN())));
-      const Narrow best = hn::Load(narrow, packet_.hitT + at);
-      const auto isLower = hn::RebindMask(
-          narrow, hn::Lt(hn::Set(words, object), hn::Load(words, packet_.hitObject + at)));
-      const auto isBetter = hn::Or(hn::Lt(nearest, best), hn::And(hn::Eq(nearest, best), isLower));
-      const auto isAccepted =
-          hn::And(hn::And(isBetter, hn::Ge(nearest, hn::Load(narrow, packet_.tMin + at))),
-                  maskOf(narrow, rays, at));
-      accepted |= setOf(narrow, isAccepted, at);
-      if constexpr (!Goal::kStopsAtAnyHit) {
-        const auto areAccepted = hn::RebindMask(words, isAccepted);
-        hn::BlendedStore(nearest, isAccepted, narrow, packet_.hitT + at);
-        hn::BlendedStore(hn::Set(words, object), areAccepted, words, packet_.hitObject + at);
-        hn::BlendedStore(hn::Set(words, block), areAccepted, words, hits_.block + at);
-        hn::BlendedStore(hn::Set(words, lane), areAccepted, words, hits_.lane + at);
-        const auto areAcceptedWide = maskOf(d, setOf(narrow, isAccepted, 0), 0);
-        hn::BlendedStore(u, areAcceptedWide, d, hits_.weights[0] + at);
-        hn::BlendedStore(v, areAcceptedWide, d, hits_.weights[1] + at);
-        hn::BlendedStore(w, areAcceptedWide, d, hits_.weights[2] + at);
+    forEachVector([&](auto i) {
+      const std::size_t at = i * kLanesPerVector;
+      Doubles u[kPartCount], v[kPartCount], w[kPartCount];
+      Narrow t[kPartCount];
+      for (std::size_t part = 0; part < kPartCount; ++part) {
+        const std::size_t from = at + part * kDoublesPerVector;
+        t[part] = intersect(a, b, c, from, u[part], v[part], w[part]);
       }
-    }
+      // With a NaN nothing is accepted.
+      const Floats nearest = joined(t);
+      const Floats best = hitT()[i];
+      const Words bestObject = hn::Load(words, packet_.hitObject + at);
+      const Mask isLower = hn::RebindMask(d, hn::Lt(hn::Set(words, object), bestObject));
+      const Mask isBetter = hn::Or(hn::Lt(nearest, best), hn::And(hn::Eq(nearest, best), isLower));
+      const Mask isAccepted =
+          hn::And(hn::And(isBetter, hn::Ge(nearest, tMin()[i])), maskOf(d, rays, at));
+      const std::uint32_t set = setOf(d, isAccepted, 0);
+      accepted |= set << at;
+      if constexpr (!Goal::kStopsAtAnyHit) {
+        // Whole vectors are written, as they are read again soon.
+        hitT().put(i, hn::IfThenElse(isAccepted, nearest, best));
+        const auto write = [&](std::uint32_t word, std::uint32_t* to) {
+          const auto areAccepted = hn::RebindMask(words, isAccepted);
+          hn::Store(hn::IfThenElse(areAccepted, hn::Set(words, word), hn::Load(words, to + at)),
+                    words, to + at);
+        };
+        write(object, packet_.hitObject);
+        write(block, hits_.block);
+        write(lane, hits_.lane);
+        for (std::size_t part = 0; part < kPartCount; ++part) {
+          const std::size_t from = at + part * kDoublesPerVector;
+          const DoubleTag wide;
+          const auto areAccepted = maskOf(wide, set, part * kDoublesPerVector);
+          hn::BlendedStore(u[part], areAccepted, wide, hits_.weights[0] + from);
+          hn::BlendedStore(v[part], areAccepted, wide, hits_.weights[1] + from);
+          hn::BlendedStore(w[part], areAccepted, wide, hits_.weights[2] + from);
+        }
+      }
+    });
     packet_.hits |= accepted;
     if constexpr (Goal::kStopsAtAnyHit)
       alive_ &= ~accepted;
-    else if (accepted != 0)
+    else
+      tMaxIsOld_ |= accepted != 0;
+  }
+
+  /// Where rays meet the plane of a triangle, as many rays from this one on as there are doubles in
+  /// a vector, and the weights of the corners there; NaN for those that miss it.
+  HWY_INLINE Narrow intersect(const Corner& a, const Corner& b, const Corner& c, std::size_t from,
+                              Doubles& u, Doubles& v, Doubles& w) const {
+    const DoubleTag d;
+    const NarrowTag narrow;
+    const auto wide = [&](const RayNumbers& numbers) {
+      return hn::PromoteTo(d, hn::Load(narrow, numbers.of + from));
+    };
+    const auto edge = [](Doubles px, Doubles qy, Doubles qx, Doubles py) {
+      return hn::Sub(hn::Mul(px, qy), hn::Mul(qx, py));
+    };
+    const Doubles ax = wide(a.x), ay = wide(a.y);
+    const Doubles bx = wide(b.x), by = wide(b.y);
+    const Doubles cx = wide(c.x), cy = wide(c.y);
+    u = edge(cx, by, cy, bx);
+    v = edge(ax, cy, ay, cx);
+    w = edge(bx, ay, by, ax);
+    const Doubles zero = hn::Zero(d);
+    const Doubles sum = hn::Add(hn::Add(u, v), w);
+    const auto isOutside =
+        hn::And(hn::Lt(hn::Min(hn::Min(u, v), w), zero), hn::Gt(hn::Max(hn::Max(u, v), w), zero));
+    const auto isHit = hn::AndNot(isOutside, hn::Ne(sum, zero));
+    const Doubles z =
+        hn::Add(hn::Add(hn::Mul(u, wide(a.z)), hn::Mul(v, wide(b.z))), hn::Mul(w, wide(c.z)));
+    const Doubles t = hn::Div(z, hn::Mul(sum, wide(rays_.directionZ)));
+    const Doubles none = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
+    return hn::DemoteTo(narrow, hn::IfThenElse(isHit, t, none));
+  }
+
+  static HWY_INLINE Floats joined(const Narrow (&parts)[kPartCount]) {
+#if HWY_TARGET == HWY_SCALAR
+    return parts[0];
+#else
+    return hn::Combine(FloatTag(), parts[1], parts[0]);
+#endif
+  }
+
+  /// The end of the longest ray.
+  HWY_INLINE float tMax() {
+    if (tMaxIsOld_)
       tMax_ = rangeOf(hitT(), alive_).greatest;
+    tMaxIsOld_ = false;
+    return tMax_;
   }
 
   // --- rays on their own ---
@@ -612,6 +681,7 @@ class PacketSearch {
       alive_ &= ~(1u << ray);
     } else {
       packet_.hitT[ray] = query.hitT;
+      tMaxIsOld_ = true;
       packet_.hitObject[ray] = query.hitObject;
       hits_.block[ray] = static_cast<std::uint32_t>(query.hitBlock - tree_.blocks.data());
       hits_.lane[ray] = query.hitLane;
@@ -650,9 +720,11 @@ class PacketSearch {
   HWY_INLINE void finish() {
     const DoubleTag d;
     const NarrowTag narrow;
-    HWY_ALIGN float corners[9][kLaneCount] = {};
-    for (std::uint32_t rest = packet_.hits; rest != 0; rest &= rest - 1) {
-      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rest);
+    if (packet_.hits == 0)
+      return;
+    // Of rays without a hit those of some triangle: nobody looks at what comes of it.
+    HWY_ALIGN float corners[9][kLaneCount];
+    for (std::size_t ray = 0; ray < kLaneCount; ++ray) {
       const TriangleBlock& block = tree_.blocks[hits_.block[ray]];
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::size_t position = block.corners[corner][hits_.lane[ray]];
@@ -699,10 +771,12 @@ class PacketSearch {
   std::uint32_t octant_;
   std::uint32_t alive_;  ///< those of them that still look for something
   float tMax_;           ///< the end of the longest of them
+  bool tMaxIsOld_;
   std::size_t size_ = 0;
   std::uint32_t prepared_ = 0;  ///< rays that have a query of their own
   PacketStack stack_;
   PacketHits hits_;
+  Corner corners_[TriangleBlock::kPositionCount];  ///< of a block
   Progress progress_;
   alignas(WideQuery) std::byte queries_[kLaneCount * sizeof(WideQuery)];
 };
