@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 #include <type_traits>
 
 namespace planetree::detail {
@@ -26,21 +25,27 @@ void forEachIn(std::uint32_t set, const Visit& visit) {
 
 void fill(const RayColumns<float>& rays, const PacketOrder::Place& place,
           RayPacket& packet) noexcept {
-  constexpr float kLargest = std::numeric_limits<float>::max();
   packet.rays = (1u << place.count) - 1u;
   for (std::size_t i = 0; i < kRayCount; ++i) {
     // Places without a ray get the last one once more.
     const std::size_t ray = place.rays[std::min(i, place.count - 1)];
-    const Rayf from = rays[ray];
-    packet.origin[0][i] = from.origin.x;
-    packet.origin[1][i] = from.origin.y;
-    packet.origin[2][i] = from.origin.z;
-    packet.direction[0][i] = from.direction.x;
-    packet.direction[1][i] = from.direction.y;
-    packet.direction[2][i] = from.direction.z;
-    packet.tMin[i] = from.tMin;
-    // A hit at infinity could not be told from a miss. A NaN stays.
-    packet.hitT[i] = from.tMax > kLargest ? kLargest : from.tMax;
+    if (rays.records != nullptr) {
+      // Number by number: as a whole it would go through memory.
+      const float* const from = &rays.records[ray].origin.x;
+      for (std::size_t a = 0; a < 3; ++a) {
+        packet.origin[a][i] = from[a];
+        packet.direction[a][i] = from[3 + a];
+      }
+      packet.tMin[i] = from[6];
+      packet.hitT[i] = from[7];
+    } else {
+      for (std::size_t a = 0; a < 3; ++a) {
+        packet.origin[a][i] = rays.origin[a][ray];
+        packet.direction[a][i] = rays.direction[a][ray];
+      }
+      packet.tMin[i] = rays.tMin[ray];
+      packet.hitT[i] = rays.tMax[ray];
+    }
   }
 }
 

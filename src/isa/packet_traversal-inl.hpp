@@ -84,6 +84,12 @@ struct Range {
 HWY_INLINE Range rangeOf(const RayNumbers& numbers, std::uint32_t rays) {
   const FloatTag d;
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  // Often all rays begin in one point.
+  const float first = numbers.of[hwy::Num0BitsBelowLS1Bit_Nonzero32(rays)];
+  Mask isFirst[kVectorCount];
+  forEachVector([&](auto i) { isFirst[i] = hn::Eq(numbers[i], hn::Set(d, first)); });
+  if ((rays & ~bitsOf(isFirst)) == 0)
+    return {first, first};
   Floats least = hn::Set(d, kInfinity);
   Floats greatest = hn::Set(d, -kInfinity);
   forEachVector([&](auto i) {
@@ -99,7 +105,6 @@ HWY_INLINE Range rangeOf(const RayNumbers& numbers, std::uint32_t rays) {
 struct PacketRays {
   RayNumbers inverse[3];
   RayNumbers toCenter[3];
-  RayNumbers slack[3];
   RayNumbers nearOffset[3];
   RayNumbers farOffset[3];
   RayNumbers origin[3];  ///< along the sheared axes of each ray
@@ -171,7 +176,6 @@ HWY_INLINE std::uint32_t preparePacket(const WideTree& tree, RayPacket& packet, 
       const Floats offset = hn::Mul(toCenter[a], inverse);
       rays.inverse[a].put(i, inverse);
       rays.toCenter[a].put(i, toCenter[a]);
-      rays.slack[a].put(i, slack);
       rays.nearOffset[a].put(i, hn::Sub(offset, slack));
       rays.farOffset[a].put(i, hn::Add(offset, slack));
       const auto isNegative = hn::Lt(hn::BitCast(words, direction[a]), hn::Zero(words));
@@ -219,6 +223,7 @@ class RayBundle {
  public:
   HWY_INLINE RayBundle(const PacketRays& rays, const RayNumbers& tMin, std::uint32_t octant,
                        std::uint32_t together) {
+    const float reach = rangeOf(rays.reach, together).greatest;
     for (std::size_t a = 0; a < 3; ++a) {
       const Range inverse = rangeOf(rays.inverse[a], together);
       const Range toCenter = rangeOf(rays.toCenter[a], together);
@@ -228,7 +233,8 @@ class RayBundle {
       nearToCenter_[a] = isNegative ? toCenter.greatest : toCenter.least;
       farToCenter_[a] = isNegative ? toCenter.least : toCenter.greatest;
       // Twice that of a single ray: there is one more rounding.
-      slack_[a] = 2.0f * rangeOf(rays.slack[a], together).greatest;
+      slack_[a] = 2.0f * kSlackInRoundoffs<float> * kRoundoff<float> * reach *
+                  larger(magnitude(inverse.least), magnitude(inverse.greatest));
       planes_[a] = (2 * a + (isNegative ? 1u : 0u)) * kLaneCount;
     }
     tMin_ = rangeOf(tMin, together).least;

@@ -16,7 +16,7 @@ struct RayPacket {
   alignas(64) float origin[3][kRayCount];
   alignas(64) float direction[3][kRayCount];
   alignas(64) float tMin[kRayCount];
-  alignas(64) float hitT[kRayCount];  ///< at first the end of the interval, which is finite
+  alignas(64) float hitT[kRayCount];  ///< at first the end of the interval
   std::uint32_t rays;                 ///< those that there are
 
   // --- what is answered ---
