@@ -54,8 +54,8 @@ std::string howToGet(const Rival& rival) {
       rival.package);
 }
 
-std::string fullName(const Rival& rival, const Engine& engine) {
-  return rival.name + ":" + engine.mode();
+std::string fullName(const Engine& engine) {
+  return engine.name() + ":" + engine.mode();
 }
 
 void tellWhoIsMissing(const std::vector<std::string>& names) {
@@ -75,7 +75,10 @@ void checkInstructionSet() {
       fmt::format("Unset it, or choose one of {}.", fmt::join(supportedInstructionSets(), ", ")));
 }
 
-EngineList selectEngines(const std::vector<std::string>& names) {
+/// Who takes part in a measure beside those that take part in all.
+enum class Guests : std::uint8_t { None, WithPackets };
+
+EngineList selectEngines(const std::vector<std::string>& names, Guests guests) {
   EngineList selected;
   std::set<std::string> known;
   for (const Rival& rival : rivals()) {
@@ -85,20 +88,18 @@ EngineList selectEngines(const std::vector<std::string>& names) {
         throw std::runtime_error(fmt::format("{}: {}", rival.name, howToGet(rival)));
       continue;
     }
-    for (auto& engine : rival.engines()) {
-      const std::string full = fullName(rival, *engine);
-      known.insert(full);
-      const bool isWanted =
-          names.empty() ? rival.joinsUnasked : isNamed(names, rival.name) || isNamed(names, full);
-      if (isWanted)
-        selected.push_back(std::move(engine));
-    }
-    for (auto& engine : rival.enginesByName ? rival.enginesByName() : EngineList{}) {
-      const std::string full = fullName(rival, *engine);
-      known.insert(full);
-      if (isNamed(names, full))
-        selected.push_back(std::move(engine));
-    }
+    const bool isWhole = names.empty() ? rival.joinsUnasked : isNamed(names, rival.name);
+    const auto select = [&](EngineList (*engines)(), bool joinsWithTheLibrary) {
+      for (auto& engine : engines ? engines() : EngineList{}) {
+        const std::string full = fullName(*engine);
+        known.insert(full);
+        if ((isWhole && joinsWithTheLibrary) || isNamed(names, full))
+          selected.push_back(std::move(engine));
+      }
+    };
+    select(rival.engines, true);
+    select(rival.enginesByName, false);
+    select(rival.enginesForBatches, guests == Guests::WithPackets);
   }
   for (const std::string& name : names) {
     if (!known.contains(name)) {
@@ -107,13 +108,6 @@ EngineList selectEngines(const std::vector<std::string>& names) {
     }
   }
   return selected;
-}
-
-void checkSteps(const RivalsCommand& command, const EngineList& engines) {
-  if (!isNamed(command.measures, "steps") ||
-      std::any_of(engines.begin(), engines.end(), [](const auto& e) { return e->countsSteps(); }))
-    return;
-  throw UsageError("--measure: none of the engines counts steps", "Name planetree besides.");
 }
 
 std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
@@ -127,17 +121,6 @@ std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
 
 bool isShapeScene(const std::filesystem::path& scene) {
   return std::find(kShapeScenes.begin(), kShapeScenes.end(), scene.string()) != kShapeScenes.end();
-}
-
-/// Those of the engines that can hold shapes.
-EngineList selectEnginesForShapes(const std::vector<std::string>& names) {
-  EngineList engines = selectEngines(names);
-  std::erase_if(engines, [](const auto& engine) { return !engine->takesShapes(); });
-  if (engines.empty()) {
-    throw UsageError("--engines: none of these takes shapes",
-                     "Name planetree or embree3 besides, or leave out the scenes of shapes.");
-  }
-  return engines;
 }
 
 bool isFile(const std::filesystem::path& scene) {
@@ -181,17 +164,27 @@ void warnOfUnfitMachine() {
 struct Measure {
   std::string name;
   std::vector<Result> (*run)(const BenchScene&, const EngineList&, const MeasureSettings&);
-  bool tracesRays = false;  ///< a ray is answered by one thread; a build uses what there is
+  /// A ray is answered by one thread, where nothing else is said; builds and batches use all.
+  bool usesOneThread = false;
   bool countsMemory = false;
+  Guests guests = Guests::None;
+  /// Those of whom nothing is measured are not asked; null where something is measured of all.
+  bool (Engine::*isAbout)() const = nullptr;
+  std::string_view whatItIsAbout = {};  ///< "counts steps"
 };
 
 const std::vector<Measure>& knownMeasures() {
   static const std::vector<Measure> all = {
       {.name = "build", .run = &measureBuild},
-      {.name = "rays", .run = &measureRays, .tracesRays = true},
+      {.name = "rays", .run = &measureRays, .usesOneThread = true},
+      {.name = "batch", .run = &measureBatches, .guests = Guests::WithPackets},
       {.name = "memory", .run = &measureMemory, .countsMemory = true},
       {.name = "peak", .run = &measurePeak, .countsMemory = true},
-      {.name = "steps", .run = &measureSteps, .tracesRays = true},
+      {.name = "steps",
+       .run = &measureSteps,
+       .usesOneThread = true,
+       .isAbout = &Engine::countsSteps,
+       .whatItIsAbout = "counts steps"},
   };
   return all;
 }
@@ -218,7 +211,7 @@ std::vector<unsigned> threadCountsFor(const RivalsCommand& command, const Measur
   std::vector<unsigned> counts;
   for (unsigned count : command.threadCounts) {
     if (count == 0)
-      count = measure.tracesRays ? 1 : hardwareThreads();
+      count = measure.usesOneThread ? 1 : hardwareThreads();
     if (std::find(counts.begin(), counts.end(), count) == counts.end())
       counts.push_back(count);
   }
@@ -239,19 +232,66 @@ MeasureSettings settingsFor(const RivalsCommand& command, unsigned threadCount) 
   return settings;
 }
 
-std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene& scene,
-                                 const EngineList& engines) {
-  std::vector<Result> results;
-  const SceneObjects objects = scene.objects();
+/// A measure, and who takes part in it.
+struct Plan {
+  Measure measure;
+  EngineList engines;
+  EngineList enginesForShapes;  ///< those that can hold shapes
+};
+
+EngineList selectEngines(const RivalsCommand& command, const Measure& measure) {
+  EngineList engines = selectEngines(command.engines, measure.guests);
+  if (measure.isAbout == nullptr)
+    return engines;
+  std::erase_if(engines, [&](const auto& engine) { return !((*engine).*measure.isAbout)(); });
+  if (engines.empty()) {
+    throw UsageError(fmt::format("--measure {}: none of the engines {}", measure.name,
+                                 measure.whatItIsAbout),
+                     "Name planetree besides.");
+  }
+  return engines;
+}
+
+EngineList selectEnginesForShapes(const RivalsCommand& command, const Measure& measure) {
+  EngineList engines = selectEngines(command, measure);
+  std::erase_if(engines, [](const auto& engine) { return !engine->takesShapes(); });
+  if (engines.empty()) {
+    throw UsageError("--engines: none of these takes shapes",
+                     "Name planetree or embree3 besides, or leave out the scenes of shapes.");
+  }
+  return engines;
+}
+
+std::vector<Plan> makePlans(const RivalsCommand& command) {
+  const bool hasShapes = std::any_of(command.scenes.begin(), command.scenes.end(), isShapeScene);
+  std::vector<Plan> plans;
   for (const Measure& measure : selectMeasures(command.measures)) {
-    for (const unsigned threadCount : threadCountsFor(command, measure)) {
+    plans.push_back({measure, selectEngines(command, measure),
+                     hasShapes ? selectEnginesForShapes(command, measure) : EngineList()});
+  }
+  return plans;
+}
+
+std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene& scene,
+                                 const std::vector<Plan>& plans) {
+  std::vector<Result> results;
+  std::set<std::string> checked;  // modes whose answers were
+  const SceneObjects objects = scene.objects();
+  const bool hasShapes = objects.mesh() == nullptr;
+  for (const Plan& plan : plans) {
+    const EngineList& engines = hasShapes ? plan.enginesForShapes : plan.engines;
+    for (const unsigned threadCount : threadCountsFor(command, plan.measure)) {
       MeasureSettings settings = settingsFor(command, threadCount);
-      settings.areAnswersChecked = !results.empty();
+      settings.areAnswersChecked =
+          std::all_of(engines.begin(), engines.end(),
+                      [&](const auto& engine) { return checked.contains(fullName(*engine)); });
       say(fmt::format("{}: {} {}, measuring {} on {} {}", scene.name, objects.size(),
-                      objects.mesh() != nullptr ? "triangles" : "shapes", measure.name, threadCount,
+                      hasShapes ? "shapes" : "triangles", plan.measure.name, threadCount,
                       threadCount == 1 ? "thread" : "threads"));
-      const auto measured = measure.run(scene, engines, settings);
+      const auto measured = plan.measure.run(scene, engines, settings);
       results.insert(results.end(), measured.begin(), measured.end());
+      for (const auto& engine : engines)
+        checked.insert(fullName(*engine));
     }
   }
   return results;
@@ -283,8 +323,8 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
   rivals
       ->add_option(
           "--measure", command.measures,
-          "What to measure: build, rays, memory, peak (of memory while building), steps (of "
-          "planetree's rays)")
+          "What to measure: build, rays, batch (rays, all in one call), memory, peak (of memory "
+          "while building), steps (of planetree's rays)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(measureNames()))
@@ -297,19 +337,21 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
       ->check(CLI::IsMember({"primary", "ao", "diffuse", "random"}))
       ->capture_default_str();
   rivals
-      ->add_option("--engines", command.engines,
-                   "Libraries, or single modes of them: planetree, embree3, cgal, "
-                   "embree3:high-robust, ... [all but cgal]. Only by their full names: "
-                   "planetree:fast-watertight, planetree:high-watertight and "
-                   "planetree:textbook-watertight, the other presets, and "
-                   "planetree:balanced-watertight-float64, which traces in double")
+      ->add_option(
+          "--engines", command.engines,
+          "Libraries, or single modes of them: planetree, embree3, cgal, "
+          "embree3:high-robust, ... [all but cgal]. With batches, embree3 takes part with "
+          "packets of eight rays, too: embree3:high-packets, ... Only by their full names: "
+          "planetree:fast-watertight, planetree:high-watertight and "
+          "planetree:textbook-watertight, the other presets, and "
+          "planetree:balanced-watertight-float64, which traces in double")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAME");
   rivals
       ->add_option("--threads", command.threadCounts,
-                   "Threads; 0 is 1 for rays and steps, and all of the machine's for builds. Of "
-                   "several numbers, like 1,2, each is measured with")
+                   "Threads; 0 is 1 for rays and steps, and all of the machine's for builds and "
+                   "batches. Of several numbers, like 1,2, each is measured with")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::Range(0u, 1024u))
@@ -332,11 +374,7 @@ int runRivalsCommand(const RivalsCommand& command) {
   if (countsMemory && !heapIsCounted())
     throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");
   tellWhoIsMissing(command.engines);
-  const EngineList engines = selectEngines(command.engines);
-  checkSteps(command, engines);
-  const bool hasShapes = std::any_of(command.scenes.begin(), command.scenes.end(), isShapeScene);
-  const EngineList shapeEngines =
-      hasShapes ? selectEnginesForShapes(command.engines) : EngineList();
+  const std::vector<Plan> plans = makePlans(command);
   const bool printsJson = command.json == kStandardOutput;
   const bool writesJson = !command.json.empty();
   if (writesJson)
@@ -350,8 +388,7 @@ int runRivalsCommand(const RivalsCommand& command) {
 
   std::vector<Result> results;
   for (const auto& file : command.scenes) {
-    const auto measured =
-        measureScene(command, sceneFor(file), isShapeScene(file) ? shapeEngines : engines);
+    const auto measured = measureScene(command, sceneFor(file), plans);
     results.insert(results.end(), measured.begin(), measured.end());
     // After each scene: what was measured stays if a later one fails.
     if (writesJson && isReplacedWhenWritten(command.json))

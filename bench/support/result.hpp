@@ -12,6 +12,7 @@ inline constexpr std::string_view kBuildSeconds = "build_seconds";
 inline constexpr std::string_view kBytesPerTriangle = "bytes_per_triangle";
 inline constexpr std::string_view kPeakBytesPerTriangle = "peak_bytes_per_triangle";
 inline constexpr std::string_view kMraysPerSecond = "mrays_per_second";
+inline constexpr std::string_view kBatchMraysPerSecond = "batch_mrays_per_second";
 inline constexpr std::string_view kNodeStepsPerRay = "node_steps_per_ray";
 inline constexpr std::string_view kBlockStepsPerRay = "block_steps_per_ray";
 
@@ -34,7 +35,7 @@ struct Result {
 
 /// Whether more is better; otherwise less is.
 [[nodiscard]] inline bool moreIsBetter(std::string_view measure) {
-  return measure == kMraysPerSecond;
+  return measure == kMraysPerSecond || measure == kBatchMraysPerSecond;
 }
 
 /// A JSON array of objects with the keys scene, measure, kind, engine, mode, threads, value,

@@ -120,6 +120,8 @@ std::vector<Summary> summarise(const std::vector<Result>& results) {
 std::string measureTitle(const std::string& measure) {
   if (measure == kMraysPerSecond)
     return "million rays per second, more is better";
+  if (measure == kBatchMraysPerSecond)
+    return "million rays per second in batches, more is better";
   if (measure == kBuildSeconds)
     return "seconds to build, less is better";
   if (measure == kBytesPerTriangle)
