@@ -17,20 +17,28 @@ constexpr std::size_t kPacketsOfAPiece = 256;
 constexpr std::size_t kTileWidth = 4;
 constexpr std::size_t kTileHeight = 2;
 
-/// The rays of a picture in tiles, row by row of them, or in their own order.
+/// The number whose even bits are those of `x`, and whose odd ones those of `y`.
+std::uint64_t interleaved(std::size_t x, std::size_t y) {
+  std::uint64_t code = 0;
+  for (unsigned bit = 0; bit < 32; ++bit) {
+    code |= static_cast<std::uint64_t>((x >> bit) & 1u) << (2 * bit);
+    code |= static_cast<std::uint64_t>((y >> bit) & 1u) << (2 * bit + 1);
+  }
+  return code;
+}
+
+/// The rays of a picture in tiles, and other rays in their own order. The tiles follow each other
+/// on Morton's curve, so that what one of them has brought into the caches serves the next.
 std::vector<std::uint32_t> orderOf(std::size_t rayCount, std::size_t width) {
   std::vector<std::uint32_t> order(rayCount);
   std::iota(order.begin(), order.end(), 0u);
-  if (width == 0 || width % kTileWidth != 0 || rayCount % (width * kTileHeight) != 0)
+  if (width == 0)
     return order;
-  for (std::size_t i = 0; i < rayCount; ++i) {
-    const std::size_t tile = i / kLanes;
-    const std::size_t lane = i % kLanes;
-    const std::size_t tilesOfARow = width / kTileWidth;
-    const std::size_t x = tile % tilesOfARow * kTileWidth + lane % kTileWidth;
-    const std::size_t y = tile / tilesOfARow * kTileHeight + lane / kTileWidth;
-    order[i] = static_cast<std::uint32_t>(y * width + x);
-  }
+  std::vector<std::uint64_t> tiles(rayCount);
+  for (std::size_t i = 0; i < rayCount; ++i)
+    tiles[i] = interleaved(i % width / kTileWidth, i / width / kTileHeight);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return tiles[a] < tiles[b]; });
   return order;
 }
 
