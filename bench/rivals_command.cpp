@@ -245,9 +245,9 @@ EngineList selectEngines(const RivalsCommand& command, const Measure& measure) {
     return engines;
   std::erase_if(engines, [&](const auto& engine) { return !((*engine).*measure.isAbout)(); });
   if (engines.empty()) {
-    throw UsageError(fmt::format("--measure {}: none of the engines {}", measure.name,
-                                 measure.whatItIsAbout),
-                     "Name planetree besides.");
+    throw UsageError(
+        fmt::format("--measure {}: none of the engines {}", measure.name, measure.whatItIsAbout),
+        "Name planetree besides.");
   }
   return engines;
 }
@@ -285,9 +285,9 @@ std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene&
       settings.areAnswersChecked =
           std::all_of(engines.begin(), engines.end(),
                       [&](const auto& engine) { return checked.contains(fullName(*engine)); });
-      say(fmt::format("{}: {} {}, measuring {} on {} {}", scene.name, objects.size(),
-                      hasShapes ? "shapes" : "triangles", plan.measure.name, threadCount,
-                      threadCount == 1 ? "thread" : "threads"));
+      say(fmt::format("{}: {} {}, measuring {} on {}", scene.name, objects.size(),
+                      hasShapes ? "shapes" : "triangles", plan.measure.name,
+                      threadText(threadCount)));
       const auto measured = plan.measure.run(scene, engines, settings);
       results.insert(results.end(), measured.begin(), measured.end());
       for (const auto& engine : engines)
