@@ -7,6 +7,7 @@
 #include "bench/support/counted_heap.hpp"
 #include "bench/support/files.hpp"
 #include "bench/support/measure.hpp"
+#include "bench/support/small_batch_table.hpp"
 #include "bench/support/summary.hpp"
 #include "bench/usage_error.hpp"
 
@@ -166,6 +167,7 @@ struct Measure {
   std::vector<Result> (*run)(const BenchScene&, const EngineList&, const MeasureSettings&);
   /// A ray is answered by one thread, where nothing else is said; builds and batches use all.
   bool usesOneThread = false;
+  bool isForOneThread = false;  ///< whatever is asked for
   bool countsMemory = false;
   Guests guests = Guests::None;
   /// Those of whom nothing is measured are not asked; null where something is measured of all.
@@ -178,6 +180,11 @@ const std::vector<Measure>& knownMeasures() {
       {.name = "build", .run = &measureBuild},
       {.name = "rays", .run = &measureRays, .usesOneThread = true},
       {.name = "batch", .run = &measureBatches, .guests = Guests::WithPackets},
+      {.name = "small-batch",
+       .run = &measureSmallBatches,
+       .isForOneThread = true,
+       .isAbout = &Engine::takesBatches,
+       .whatItIsAbout = "takes batches"},
       {.name = "memory", .run = &measureMemory, .countsMemory = true},
       {.name = "peak", .run = &measurePeak, .countsMemory = true},
       {.name = "steps",
@@ -208,6 +215,8 @@ std::vector<Measure> selectMeasures(const std::vector<std::string>& names) {
 
 /// How many threads to measure with, each number once.
 std::vector<unsigned> threadCountsFor(const RivalsCommand& command, const Measure& measure) {
+  if (measure.isForOneThread)
+    return {1};
   std::vector<unsigned> counts;
   for (unsigned count : command.threadCounts) {
     if (count == 0)
@@ -300,7 +309,7 @@ std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene&
 std::string tables(const std::vector<Result>& results) {
   std::string text = fmt::format("{}; {}; {}; commit {}\n", machine(), activeInstructionSet(),
                                  compiler(), commit());
-  for (const Summary& summary : summarise(results))
+  for (const Summary& summary : summarise(withoutSmallBatches(results)))
     text += "\n" + toText(summary);
   for (const Table& table : comparisons(results))
     text += "\n" + toText(table);
@@ -321,10 +330,10 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
       ->required()
       ->type_name("SCENE");
   rivals
-      ->add_option(
-          "--measure", command.measures,
-          "What to measure: build, rays, batch (rays, all in one call), memory, peak (of memory "
-          "while building), steps (of planetree's rays)")
+      ->add_option("--measure", command.measures,
+                   "What to measure: build, rays, batch (rays, all in one call), "
+                   "small-batch (what 1, 8 and 64 rays in a call take more than one by one), "
+                   "memory, peak (of memory while building), steps (of planetree's rays)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(measureNames()))
@@ -349,9 +358,10 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
       ->allow_extra_args(false)
       ->type_name("NAME");
   rivals
-      ->add_option("--threads", command.threadCounts,
-                   "Threads; 0 is 1 for rays and steps, and all of the machine's for builds and "
-                   "batches. Of several numbers, like 1,2, each is measured with")
+      ->add_option(
+          "--threads", command.threadCounts,
+          "Threads; 0 is 1 for rays and steps, and all of the machine's for builds and "
+          "batches. Small batches take 1. Of several numbers, like 1,2, each is measured with")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::Range(0u, 1024u))

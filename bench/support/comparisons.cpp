@@ -3,6 +3,7 @@
 #include "bench/scene/sized_scenes.hpp"
 #include "bench/support/batch_tables.hpp"
 #include "bench/support/mean.hpp"
+#include "bench/support/small_batch_table.hpp"
 #include "bench/support/summary.hpp"
 
 #include <fmt/format.h>
@@ -58,7 +59,7 @@ Table presets(const std::vector<Summary>& summaries) {
   for (const Counterparts& pair : kCounterparts)
     table.header.push_back(fmt::format("{} / embree3 {}", pair.preset, pair.quality));
   for (const Summary& summary : summaries) {
-    if (summary.measure == kBatchMraysPerSecond)
+    if (summary.measure == kBatchMraysPerSecond || isOfSmallBatches(summary.measure))
       continue;
     std::vector<std::string> row = {
         fmt::format("{} ({})", measureTitle(summary.measure), threadText(summary.threadCount))};
@@ -200,7 +201,7 @@ std::vector<Table> scalings(const std::vector<Result>& results) {
 
 std::vector<Table> comparisons(const std::vector<Result>& results) {
   const std::vector<Summary> summaries = summarise(results);
-  std::vector<Table> tables = {presets(summaries)};
+  std::vector<Table> tables = {presets(summaries), smallBatchTable(summaries)};
   for (auto& more : {batchTables(summaries), speedUps(summaries), scalings(results)})
     tables.insert(tables.end(), more.begin(), more.end());
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });

@@ -16,6 +16,7 @@ namespace planetree::bench {
 /// - for batches: how many times more rays planetree's default traces than the mode of Embree that
 ///   is best for the scene and the kind of rays, and the mean and the worst of each kind, and of
 ///   all kinds but primary rays together;
+/// - for small batches: what they take more than their rays one by one;
 /// - for builds and batches with one thread and with more: how many times faster more threads are,
 ///   for each scene, over all kinds of rays;
 /// - for builds of `sizedSceneName` scenes: the time for each triangle, and how it grows beside the

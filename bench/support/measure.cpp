@@ -139,6 +139,47 @@ double buildSeconds(const BenchScene& scene, const Engine& engine, unsigned thre
   });
 }
 
+double secondsToTrace(Batch& batch, unsigned threadCount) {
+  batch.reset();
+  return secondsOf([&] { batch.trace(threadCount); });
+}
+
+/// The rays of a set in calls of one size.
+struct SizedCalls {
+  std::string measure;
+  std::size_t callSize = 1;
+  std::unique_ptr<Batch> batch;
+};
+
+/// One by one first.
+std::vector<SizedCalls> smallBatches(const Structure& structure, const RaySet& set) {
+  std::vector<SizedCalls> all;
+  all.push_back({std::string(kNanosecondsOneByOne), 1, oneByOne(structure, set)});
+  for (const std::size_t size : kSmallBatches) {
+    all.push_back({smallBatchMeasure(size), size, structure.makeBatch(set, size)});
+  }
+  return all;
+}
+
+void addSmallBatches(const BenchScene& scene, const Engine& engine, const RaySet& set,
+                     const Structure& structure, const MeasureSettings& settings,
+                     std::vector<Result>& results) {
+  const auto calls = smallBatches(structure, set);
+  std::vector<CheckedAnswers> all;
+  for (const SizedCalls& sized : calls)
+    all.push_back(answersOf(engine, *sized.batch, set, 1));
+  check(scene, set, all, settings);
+  const auto seconds = bestOfRounds(calls.size(), settings.repetitions, [&](std::size_t i) {
+    return secondsToTrace(*calls[i].batch, 1);
+  });
+  const auto rayCount = static_cast<double>(set.rays.size());
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    const double nanoseconds = seconds[i] / rayCount * static_cast<double>(calls[i].callSize) * 1e9;
+    results.push_back(
+        resultOf(scene, engine, calls[i].measure, rayKindName(set.kind), 1, nanoseconds));
+  }
+}
+
 void prepareAll(const EngineList& engines, unsigned threadCount) {
   for (const auto& engine : engines)
     engine->prepare(threadCount);
@@ -212,11 +253,6 @@ std::vector<RaySet> setsWithRays(const BenchScene& scene, const MeasureSettings&
   return sets;
 }
 
-double secondsToTrace(Batch& batch, unsigned threadCount) {
-  batch.reset();
-  return secondsOf([&] { batch.trace(threadCount); });
-}
-
 /// Million rays per second of each kind, handed over in one of the ways.
 std::vector<Result> raysPerSecond(const BenchScene& scene, const EngineList& engines,
                                   const MeasureSettings& settings, std::string_view measure,
@@ -248,6 +284,20 @@ std::vector<Result> measureRays(const BenchScene& scene, const EngineList& engin
 std::vector<Result> measureBatches(const BenchScene& scene, const EngineList& engines,
                                    const MeasureSettings& settings) {
   return raysPerSecond(scene, engines, settings, kBatchMraysPerSecond, &allAtOnce);
+}
+
+std::vector<Result> measureSmallBatches(const BenchScene& scene, const EngineList& engines,
+                                        const MeasureSettings& settings) {
+  const auto sets = setsWithRays(scene, settings);
+  std::vector<Result> results;
+  for (const auto& engine : engines) {
+    if (!engine->takesBatches())
+      continue;
+    const auto structure = engine->build(scene.objects(), settings.buildThreadCount);
+    for (const RaySet& set : sets)
+      addSmallBatches(scene, *engine, set, *structure, settings, results);
+  }
+  return results;
 }
 
 std::vector<Result> measureBuild(const BenchScene& scene, const EngineList& engines,

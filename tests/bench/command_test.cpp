@@ -86,6 +86,24 @@ TEST_F(BenchCommand, RivalsMeasuresBatches) {
   EXPECT_EQ(results[3].threadCount, 2u);
 }
 
+TEST_F(BenchCommand, RivalsMeasuresSmallBatches) {
+  const auto result = rivals({"--measure", "small-batch", "--threads", "1,2", "--kinds", "ao",
+                              "--json", "b.json", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "nanoseconds that small batches take more"));
+  EXPECT_FALSE(contains(result.out, "nanoseconds_of_a_batch")) << "they are in one table";
+  EXPECT_EQ(resultsFromJson(readFile("b.json"), "b.json").size(), 4u);
+}
+
+TEST_F(BenchCommand, SmallBatchesWantAnEngineThatTakesThem) {
+  const auto result =
+      run({"rivals", "--measure", "small-batch", "--engines", "embree3", "waves.ply"});
+  // Without Embree in this build it fails for that.
+  EXPECT_TRUE(result.status == 2 || result.status == 1) << result.err;
+  EXPECT_TRUE(contains(result.err, "embree3") || contains(result.err, "takes batches"))
+      << result.err;
+}
+
 TEST_F(BenchCommand, PacketsTakePartInBatchesAndElsewhereWhereTheyAreNamed) {
   const auto result =
       run({"rivals", "--quick", "--repetitions", "1", "--kinds", "random", "--measure",

@@ -132,6 +132,33 @@ TEST(Comparisons, TellHowMuchFasterMoreThreadsTraceBatches) {
           {"a", "1.6x"}, {"b", "1.0x"}, {"geometric mean", "1.3x"}, {"worst scene", "1.0x"}}));
 }
 
+TEST(Comparisons, TellWhatSmallBatchesTakeMoreThanTheirRays) {
+  const auto cell = [](const std::string& kind, const std::string& measure, double value) {
+    return Cell{.scene = "a",
+                .engine = "planetree",
+                .mode = "balanced-watertight",
+                .value = value,
+                .threadCount = 1,
+                .measure = measure,
+                .kind = kind};
+  };
+  const auto tables =
+      comparisons(resultsOf({cell("ao", "nanoseconds_one_by_one", 100.0),
+                             cell("ao", "nanoseconds_of_a_batch_of_1", 131.0),
+                             cell("ao", "nanoseconds_of_a_batch_of_8", 860.0),
+                             cell("ao", "nanoseconds_of_a_batch_of_64", 3200.0),
+                             cell("random", "nanoseconds_one_by_one", 200.0),
+                             cell("random", "nanoseconds_of_a_batch_of_1", 210.0)}));
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].header,
+            (Row{"scene, rays and mode", "one ray", "batch of 1", "batch of 8", "batch of 64"}));
+  EXPECT_EQ(tables[0].rows,
+            (std::vector<Row>{{"a ao balanced-watertight", "100", "31.0 of 30.0", "60.0 of 65.0",
+                               "-3200.0 of 345.0"},
+                              {"a random balanced-watertight", "200", "10.0 of 35.0", "-", "-"},
+                              {"as allowed", "", "1 of 2", "1 of 1", "1 of 1"}}));
+}
+
 TEST(Comparisons, TellWhatATriangleCostsInScenesOfEachSize) {
   const auto tables = comparisons(resultsOf(
       {{"terrain-1m", "planetree", "balanced-watertight", 0.3, 2, "build_seconds", 1'000'000},

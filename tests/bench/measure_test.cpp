@@ -243,6 +243,26 @@ TEST(Measure, BatchesAreAMeasureOfTheirOwn) {
   }
 }
 
+TEST(Measure, SmallBatchesStandBesideTheirRaysOneByOne) {
+  Recorded run;
+  run.settings.kinds = {RayKind::Random};
+  run.settings.threadCount = 2;
+  // The broken engine takes no batches.
+  const auto results = measureSmallBatches(test::ballScene(), test::besideBroken({}), run.settings);
+  std::vector<std::string> measures;
+  for (const Result& result : results) {
+    measures.push_back(result.measure);
+    EXPECT_EQ(result.engine, "planetree");
+    EXPECT_EQ(result.kind, "random");
+    EXPECT_EQ(result.threadCount, 1u) << "whatever the others use";
+    EXPECT_GT(result.value, 0.0);
+    EXPECT_TRUE(isOfSmallBatches(result.measure));
+  }
+  EXPECT_EQ(measures, (std::vector<std::string>{
+                          "nanoseconds_one_by_one", "nanoseconds_of_a_batch_of_1",
+                          "nanoseconds_of_a_batch_of_8", "nanoseconds_of_a_batch_of_64"}));
+}
+
 TEST(Measure, SaysWhyAKindHasNoRays) {
   Recorded run;
   run.settings.kinds = {RayKind::Diffuse};
