@@ -1,5 +1,6 @@
 #include "bench/rivals_command.hpp"
 
+#include "bench/rivals/select_engines.hpp"
 #include "bench/scene/shape_scenes.hpp"
 #include "bench/scene/sized_scenes.hpp"
 #include "bench/support/build_info.hpp"
@@ -39,33 +40,6 @@ bool isNamed(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether a library takes part: nobody was named, or it was, alone or with one of its modes.
-bool takesPart(const Rival& rival, const std::vector<std::string>& names) {
-  if (names.empty())
-    return rival.joinsUnasked;
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return name == rival.name || name.starts_with(rival.name + ":");
-  });
-}
-
-std::string howToGet(const Rival& rival) {
-  return fmt::format(
-      "{} was not found when this was built. Run scripts/bench.sh, which installs it "
-      "and builds anew.",
-      rival.package);
-}
-
-std::string fullName(const Engine& engine) {
-  return engine.name() + ":" + engine.mode();
-}
-
-void tellWhoIsMissing(const std::vector<std::string>& names) {
-  for (const Rival& rival : rivals()) {
-    if (!rival.engines && names.empty() && rival.joinsUnasked)
-      say(fmt::format("{} is left out: {}", rival.name, howToGet(rival)));
-  }
-}
-
 /// The library would use another one without a word.
 void checkInstructionSet() {
   const std::string_view requested = requestedInstructionSet();
@@ -74,41 +48,6 @@ void checkInstructionSet() {
   throw UsageError(
       fmt::format("PLANETREE_ISA={}: this machine runs no such instruction set", requested),
       fmt::format("Unset it, or choose one of {}.", fmt::join(supportedInstructionSets(), ", ")));
-}
-
-/// Who takes part in a measure beside those that take part in all.
-enum class Guests : std::uint8_t { None, WithPackets };
-
-EngineList selectEngines(const std::vector<std::string>& names, Guests guests) {
-  EngineList selected;
-  std::set<std::string> known;
-  for (const Rival& rival : rivals()) {
-    known.insert(rival.name);
-    if (!rival.engines) {
-      if (!names.empty() && takesPart(rival, names))
-        throw std::runtime_error(fmt::format("{}: {}", rival.name, howToGet(rival)));
-      continue;
-    }
-    const bool isWhole = names.empty() ? rival.joinsUnasked : isNamed(names, rival.name);
-    const auto select = [&](EngineList (*engines)(), bool joinsWithTheLibrary) {
-      for (auto& engine : engines ? engines() : EngineList{}) {
-        const std::string full = fullName(*engine);
-        known.insert(full);
-        if ((isWhole && joinsWithTheLibrary) || isNamed(names, full))
-          selected.push_back(std::move(engine));
-      }
-    };
-    select(rival.engines, true);
-    select(rival.enginesByName, false);
-    select(rival.enginesForBatches, guests == Guests::WithPackets);
-  }
-  for (const std::string& name : names) {
-    if (!known.contains(name)) {
-      throw UsageError(fmt::format("--engines: there is no {}", name),
-                       fmt::format("Known are {}.", fmt::join(known, ", ")));
-    }
-  }
-  return selected;
 }
 
 std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
@@ -169,7 +108,7 @@ struct Measure {
   bool usesOneThread = false;
   bool isForOneThread = false;  ///< whatever is asked for
   bool countsMemory = false;
-  Guests guests = Guests::None;
+  bool takesPackets = false;  ///< modes that trace several rays at once take part unasked
   /// Those of whom nothing is measured are not asked; null where something is measured of all.
   bool (Engine::*isAbout)() const = nullptr;
   std::string_view whatItIsAbout = {};  ///< "counts steps"
@@ -179,7 +118,7 @@ const std::vector<Measure>& knownMeasures() {
   static const std::vector<Measure> all = {
       {.name = "build", .run = &measureBuild},
       {.name = "rays", .run = &measureRays, .usesOneThread = true},
-      {.name = "batch", .run = &measureBatches, .guests = Guests::WithPackets},
+      {.name = "batch", .run = &measureBatches, .takesPackets = true},
       {.name = "small-batch",
        .run = &measureSmallBatches,
        .isForOneThread = true,
@@ -248,8 +187,8 @@ struct Plan {
   EngineList enginesForShapes;  ///< those that can hold shapes
 };
 
-EngineList selectEngines(const RivalsCommand& command, const Measure& measure) {
-  EngineList engines = selectEngines(command.engines, measure.guests);
+EngineList enginesFor(const RivalsCommand& command, const Measure& measure) {
+  EngineList engines = selectEngines(command.engines, measure.takesPackets);
   if (measure.isAbout == nullptr)
     return engines;
   std::erase_if(engines, [&](const auto& engine) { return !((*engine).*measure.isAbout)(); });
@@ -261,8 +200,8 @@ EngineList selectEngines(const RivalsCommand& command, const Measure& measure) {
   return engines;
 }
 
-EngineList selectEnginesForShapes(const RivalsCommand& command, const Measure& measure) {
-  EngineList engines = selectEngines(command, measure);
+EngineList shapeEnginesFor(const RivalsCommand& command, const Measure& measure) {
+  EngineList engines = enginesFor(command, measure);
   std::erase_if(engines, [](const auto& engine) { return !engine->takesShapes(); });
   if (engines.empty()) {
     throw UsageError("--engines: none of these takes shapes",
@@ -275,8 +214,8 @@ std::vector<Plan> makePlans(const RivalsCommand& command) {
   const bool hasShapes = std::any_of(command.scenes.begin(), command.scenes.end(), isShapeScene);
   std::vector<Plan> plans;
   for (const Measure& measure : selectMeasures(command.measures)) {
-    plans.push_back({measure, selectEngines(command, measure),
-                     hasShapes ? selectEnginesForShapes(command, measure) : EngineList()});
+    plans.push_back({measure, enginesFor(command, measure),
+                     hasShapes ? shapeEnginesFor(command, measure) : EngineList()});
   }
   return plans;
 }
@@ -383,7 +322,8 @@ int runRivalsCommand(const RivalsCommand& command) {
                                         [](const Measure& m) { return m.countsMemory; });
   if (countsMemory && !heapIsCounted())
     throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");
-  tellWhoIsMissing(command.engines);
+  for (const std::string& line : whoIsMissing(command.engines))
+    say(line);
   const std::vector<Plan> plans = makePlans(command);
   const bool printsJson = command.json == kStandardOutput;
   const bool writesJson = !command.json.empty();
