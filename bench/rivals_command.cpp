@@ -238,8 +238,11 @@ std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene&
                       threadText(threadCount)));
       const auto measured = plan.measure.run(scene, engines, settings);
       results.insert(results.end(), measured.begin(), measured.end());
-      for (const auto& engine : engines)
-        checked.insert(fullName(*engine));
+      for (const auto& engine : engines) {
+        // Where nothing came of it, there may have been no rays to check with.
+        if (!measured.empty())
+          checked.insert(fullName(*engine));
+      }
     }
   }
   return results;
