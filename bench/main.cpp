@@ -20,6 +20,7 @@ using namespace planetree::bench;
 constexpr const char* kExamples = R"(Examples:
   planetree-bench rivals bunny.obj                            rays, with all engines there are
   planetree-bench rivals --measure build --json b.json *.ply  build times, kept
+  planetree-bench rivals --measure batch --threads 1,2 *.ply  many rays in one call
   planetree-bench scene terrain -o terrain.ply                a scene to measure with
 )";
 

@@ -1,5 +1,6 @@
 #include "bench/rivals_command.hpp"
 
+#include "bench/rivals/select_engines.hpp"
 #include "bench/scene/shape_scenes.hpp"
 #include "bench/scene/sized_scenes.hpp"
 #include "bench/support/build_info.hpp"
@@ -7,6 +8,7 @@
 #include "bench/support/counted_heap.hpp"
 #include "bench/support/files.hpp"
 #include "bench/support/measure.hpp"
+#include "bench/support/small_batch_table.hpp"
 #include "bench/support/summary.hpp"
 #include "bench/usage_error.hpp"
 
@@ -38,33 +40,6 @@ bool isNamed(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether a library takes part: nobody was named, or it was, alone or with one of its modes.
-bool takesPart(const Rival& rival, const std::vector<std::string>& names) {
-  if (names.empty())
-    return rival.joinsUnasked;
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return name == rival.name || name.starts_with(rival.name + ":");
-  });
-}
-
-std::string howToGet(const Rival& rival) {
-  return fmt::format(
-      "{} was not found when this was built. Run scripts/bench.sh, which installs it "
-      "and builds anew.",
-      rival.package);
-}
-
-std::string fullName(const Rival& rival, const Engine& engine) {
-  return rival.name + ":" + engine.mode();
-}
-
-void tellWhoIsMissing(const std::vector<std::string>& names) {
-  for (const Rival& rival : rivals()) {
-    if (!rival.engines && names.empty() && rival.joinsUnasked)
-      say(fmt::format("{} is left out: {}", rival.name, howToGet(rival)));
-  }
-}
-
 /// The library would use another one without a word.
 void checkInstructionSet() {
   const std::string_view requested = requestedInstructionSet();
@@ -73,47 +48,6 @@ void checkInstructionSet() {
   throw UsageError(
       fmt::format("PLANETREE_ISA={}: this machine runs no such instruction set", requested),
       fmt::format("Unset it, or choose one of {}.", fmt::join(supportedInstructionSets(), ", ")));
-}
-
-EngineList selectEngines(const std::vector<std::string>& names) {
-  EngineList selected;
-  std::set<std::string> known;
-  for (const Rival& rival : rivals()) {
-    known.insert(rival.name);
-    if (!rival.engines) {
-      if (!names.empty() && takesPart(rival, names))
-        throw std::runtime_error(fmt::format("{}: {}", rival.name, howToGet(rival)));
-      continue;
-    }
-    for (auto& engine : rival.engines()) {
-      const std::string full = fullName(rival, *engine);
-      known.insert(full);
-      const bool isWanted =
-          names.empty() ? rival.joinsUnasked : isNamed(names, rival.name) || isNamed(names, full);
-      if (isWanted)
-        selected.push_back(std::move(engine));
-    }
-    for (auto& engine : rival.enginesByName ? rival.enginesByName() : EngineList{}) {
-      const std::string full = fullName(rival, *engine);
-      known.insert(full);
-      if (isNamed(names, full))
-        selected.push_back(std::move(engine));
-    }
-  }
-  for (const std::string& name : names) {
-    if (!known.contains(name)) {
-      throw UsageError(fmt::format("--engines: there is no {}", name),
-                       fmt::format("Known are {}.", fmt::join(known, ", ")));
-    }
-  }
-  return selected;
-}
-
-void checkSteps(const RivalsCommand& command, const EngineList& engines) {
-  if (!isNamed(command.measures, "steps") ||
-      std::any_of(engines.begin(), engines.end(), [](const auto& e) { return e->countsSteps(); }))
-    return;
-  throw UsageError("--measure: none of the engines counts steps", "Name planetree besides.");
 }
 
 std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
@@ -127,17 +61,6 @@ std::vector<RayKind> selectKinds(const std::vector<std::string>& names) {
 
 bool isShapeScene(const std::filesystem::path& scene) {
   return std::find(kShapeScenes.begin(), kShapeScenes.end(), scene.string()) != kShapeScenes.end();
-}
-
-/// Those of the engines that can hold shapes.
-EngineList selectEnginesForShapes(const std::vector<std::string>& names) {
-  EngineList engines = selectEngines(names);
-  std::erase_if(engines, [](const auto& engine) { return !engine->takesShapes(); });
-  if (engines.empty()) {
-    throw UsageError("--engines: none of these takes shapes",
-                     "Name planetree or embree3 besides, or leave out the scenes of shapes.");
-  }
-  return engines;
 }
 
 bool isFile(const std::filesystem::path& scene) {
@@ -181,17 +104,33 @@ void warnOfUnfitMachine() {
 struct Measure {
   std::string name;
   std::vector<Result> (*run)(const BenchScene&, const EngineList&, const MeasureSettings&);
-  bool tracesRays = false;  ///< a ray is answered by one thread; a build uses what there is
+  /// A ray is answered by one thread, where nothing else is said; builds and batches use all.
+  bool usesOneThread = false;
+  bool isForOneThread = false;  ///< whatever is asked for
   bool countsMemory = false;
+  bool takesPackets = false;  ///< modes that trace several rays at once take part unasked
+  /// Those of whom nothing is measured are not asked; null where something is measured of all.
+  bool (Engine::*isAbout)() const = nullptr;
+  std::string_view whatItIsAbout = {};  ///< "counts steps"
 };
 
 const std::vector<Measure>& knownMeasures() {
   static const std::vector<Measure> all = {
       {.name = "build", .run = &measureBuild},
-      {.name = "rays", .run = &measureRays, .tracesRays = true},
+      {.name = "rays", .run = &measureRays, .usesOneThread = true},
+      {.name = "batch", .run = &measureBatches, .takesPackets = true},
+      {.name = "small-batch",
+       .run = &measureSmallBatches,
+       .isForOneThread = true,
+       .isAbout = &Engine::takesBatches,
+       .whatItIsAbout = "takes batches"},
       {.name = "memory", .run = &measureMemory, .countsMemory = true},
       {.name = "peak", .run = &measurePeak, .countsMemory = true},
-      {.name = "steps", .run = &measureSteps, .tracesRays = true},
+      {.name = "steps",
+       .run = &measureSteps,
+       .usesOneThread = true,
+       .isAbout = &Engine::countsSteps,
+       .whatItIsAbout = "counts steps"},
   };
   return all;
 }
@@ -215,10 +154,12 @@ std::vector<Measure> selectMeasures(const std::vector<std::string>& names) {
 
 /// How many threads to measure with, each number once.
 std::vector<unsigned> threadCountsFor(const RivalsCommand& command, const Measure& measure) {
+  if (measure.isForOneThread)
+    return {1};
   std::vector<unsigned> counts;
   for (unsigned count : command.threadCounts) {
     if (count == 0)
-      count = measure.tracesRays ? 1 : hardwareThreads();
+      count = measure.usesOneThread ? 1 : hardwareThreads();
     if (std::find(counts.begin(), counts.end(), count) == counts.end())
       counts.push_back(count);
   }
@@ -239,19 +180,69 @@ MeasureSettings settingsFor(const RivalsCommand& command, unsigned threadCount) 
   return settings;
 }
 
-std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene& scene,
-                                 const EngineList& engines) {
-  std::vector<Result> results;
-  const SceneObjects objects = scene.objects();
+/// A measure, and who takes part in it.
+struct Plan {
+  Measure measure;
+  EngineList engines;
+  EngineList enginesForShapes;  ///< those that can hold shapes
+};
+
+EngineList enginesFor(const RivalsCommand& command, const Measure& measure) {
+  EngineList engines = selectEngines(command.engines, measure.takesPackets);
+  if (measure.isAbout == nullptr)
+    return engines;
+  std::erase_if(engines, [&](const auto& engine) { return !((*engine).*measure.isAbout)(); });
+  if (engines.empty()) {
+    throw UsageError(
+        fmt::format("--measure {}: none of the engines {}", measure.name, measure.whatItIsAbout),
+        "Name planetree besides.");
+  }
+  return engines;
+}
+
+EngineList shapeEnginesFor(const RivalsCommand& command, const Measure& measure) {
+  EngineList engines = enginesFor(command, measure);
+  std::erase_if(engines, [](const auto& engine) { return !engine->takesShapes(); });
+  if (engines.empty()) {
+    throw UsageError("--engines: none of these takes shapes",
+                     "Name planetree or embree3 besides, or leave out the scenes of shapes.");
+  }
+  return engines;
+}
+
+std::vector<Plan> makePlans(const RivalsCommand& command) {
+  const bool hasShapes = std::any_of(command.scenes.begin(), command.scenes.end(), isShapeScene);
+  std::vector<Plan> plans;
   for (const Measure& measure : selectMeasures(command.measures)) {
-    for (const unsigned threadCount : threadCountsFor(command, measure)) {
+    plans.push_back({measure, enginesFor(command, measure),
+                     hasShapes ? shapeEnginesFor(command, measure) : EngineList()});
+  }
+  return plans;
+}
+
+std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene& scene,
+                                 const std::vector<Plan>& plans) {
+  std::vector<Result> results;
+  std::set<std::string> checked;  // modes whose answers were
+  const SceneObjects objects = scene.objects();
+  const bool hasShapes = objects.mesh() == nullptr;
+  for (const Plan& plan : plans) {
+    const EngineList& engines = hasShapes ? plan.enginesForShapes : plan.engines;
+    for (const unsigned threadCount : threadCountsFor(command, plan.measure)) {
       MeasureSettings settings = settingsFor(command, threadCount);
-      settings.areAnswersChecked = !results.empty();
-      say(fmt::format("{}: {} {}, measuring {} on {} {}", scene.name, objects.size(),
-                      objects.mesh() != nullptr ? "triangles" : "shapes", measure.name, threadCount,
-                      threadCount == 1 ? "thread" : "threads"));
-      const auto measured = measure.run(scene, engines, settings);
+      settings.areAnswersChecked =
+          std::all_of(engines.begin(), engines.end(),
+                      [&](const auto& engine) { return checked.contains(fullName(*engine)); });
+      say(fmt::format("{}: {} {}, measuring {} on {}", scene.name, objects.size(),
+                      hasShapes ? "shapes" : "triangles", plan.measure.name,
+                      threadText(threadCount)));
+      const auto measured = plan.measure.run(scene, engines, settings);
       results.insert(results.end(), measured.begin(), measured.end());
+      for (const auto& engine : engines) {
+        // Where nothing came of it, there may have been no rays to check with.
+        if (!measured.empty())
+          checked.insert(fullName(*engine));
+      }
     }
   }
   return results;
@@ -260,7 +251,7 @@ std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene&
 std::string tables(const std::vector<Result>& results) {
   std::string text = fmt::format("{}; {}; {}; commit {}\n", machine(), activeInstructionSet(),
                                  compiler(), commit());
-  for (const Summary& summary : summarise(results))
+  for (const Summary& summary : summarise(withoutSmallBatches(results)))
     text += "\n" + toText(summary);
   for (const Table& table : comparisons(results))
     text += "\n" + toText(table);
@@ -281,10 +272,10 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
       ->required()
       ->type_name("SCENE");
   rivals
-      ->add_option(
-          "--measure", command.measures,
-          "What to measure: build, rays, memory, peak (of memory while building), steps (of "
-          "planetree's rays)")
+      ->add_option("--measure", command.measures,
+                   "What to measure: build, rays, batch (rays, all in one call), "
+                   "small-batch (what 1, 8 and 64 rays in a call take more than one by one), "
+                   "memory, peak (of memory while building), steps (of planetree's rays)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(measureNames()))
@@ -297,19 +288,22 @@ CLI::App* addRivalsCommand(CLI::App& app, RivalsCommand& command) {
       ->check(CLI::IsMember({"primary", "ao", "diffuse", "random"}))
       ->capture_default_str();
   rivals
-      ->add_option("--engines", command.engines,
-                   "Libraries, or single modes of them: planetree, embree3, cgal, "
-                   "embree3:high-robust, ... [all but cgal]. Only by their full names: "
-                   "planetree:fast-watertight, planetree:high-watertight and "
-                   "planetree:textbook-watertight, the other presets, and "
-                   "planetree:balanced-watertight-float64, which traces in double")
+      ->add_option(
+          "--engines", command.engines,
+          "Libraries, or single modes of them: planetree, embree3, cgal, "
+          "embree3:high-robust, ... [all but cgal]. With batches, embree3 takes part with "
+          "packets of eight rays, too: embree3:high-packets, ... Only by their full names: "
+          "planetree:fast-watertight, planetree:high-watertight and "
+          "planetree:textbook-watertight, the other presets, and "
+          "planetree:balanced-watertight-float64, which traces in double")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAME");
   rivals
-      ->add_option("--threads", command.threadCounts,
-                   "Threads; 0 is 1 for rays and steps, and all of the machine's for builds. Of "
-                   "several numbers, like 1,2, each is measured with")
+      ->add_option(
+          "--threads", command.threadCounts,
+          "Threads; 0 is 1 for rays and steps, and all of the machine's for builds and "
+          "batches. Small batches take 1. Of several numbers, like 1,2, each is measured with")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::Range(0u, 1024u))
@@ -331,12 +325,9 @@ int runRivalsCommand(const RivalsCommand& command) {
                                         [](const Measure& m) { return m.countsMemory; });
   if (countsMemory && !heapIsCounted())
     throw UsageError("--measure: this build does not count memory", "Build without sanitizers.");
-  tellWhoIsMissing(command.engines);
-  const EngineList engines = selectEngines(command.engines);
-  checkSteps(command, engines);
-  const bool hasShapes = std::any_of(command.scenes.begin(), command.scenes.end(), isShapeScene);
-  const EngineList shapeEngines =
-      hasShapes ? selectEnginesForShapes(command.engines) : EngineList();
+  for (const std::string& line : whoIsMissing(command.engines))
+    say(line);
+  const std::vector<Plan> plans = makePlans(command);
   const bool printsJson = command.json == kStandardOutput;
   const bool writesJson = !command.json.empty();
   if (writesJson)
@@ -350,8 +341,7 @@ int runRivalsCommand(const RivalsCommand& command) {
 
   std::vector<Result> results;
   for (const auto& file : command.scenes) {
-    const auto measured =
-        measureScene(command, sceneFor(file), isShapeScene(file) ? shapeEngines : engines);
+    const auto measured = measureScene(command, sceneFor(file), plans);
     results.insert(results.end(), measured.begin(), measured.end());
     // After each scene: what was measured stays if a later one fails.
     if (writesJson && isReplacedWhenWritten(command.json))

@@ -2,9 +2,9 @@
 # write_performance.sh FOLDER: measures with all meshes of the folder, and those of the folder that
 # PLANETREE_SCENES names if it is set, and with scenes of up to twenty million triangles made in code,
 # for which there should be 8 GB of memory. Writes docs/performance.json (rays, memory, steps),
-# docs/performance_build.json (builds with one thread and all) and docs/performance_sizes.json (builds
-# of scenes of each size), the figures of docs/performance.md and its plots. Takes an hour or two; the
-# machine should have nothing else to do.
+# docs/performance_build.json (builds with one thread and all), docs/performance_batch.json (batches of
+# rays, likewise) and docs/performance_sizes.json (builds of scenes of each size), the figures of
+# docs/performance.md and its plots. Takes an hour or two; the machine should have nothing else to do.
 #
 #   bash scripts/fetch_scenes.sh FOLDER && bash scripts/write_performance.sh FOLDER
 #
@@ -21,7 +21,8 @@ source scripts/packages.sh
 
 bash scripts/bench.sh
 bench=build/release/bin/planetree-bench
-all_json=(docs/performance.json docs/performance_build.json docs/performance_sizes.json)
+all_json=(docs/performance.json docs/performance_build.json docs/performance_sizes.json
+  docs/performance_batch.json)
 
 # Whether the file can be measured with; told in a second, rather than after an hour.
 is_readable() {
@@ -53,6 +54,8 @@ if [[ $1 != --renew ]]; then
     --json "${all_json[1]}" "${scenes[@]}"
   "$bench" rivals --measure build --repetitions 3 --engines "$presets" \
     --json "${all_json[2]}" {terrain,scatter}-{10k,100k,1m,4m,20m}
+  "$bench" rivals --measure batch,small-batch --threads 1,0 --engines planetree,embree3 \
+    --json "${all_json[3]}" "${scenes[@]}"
 fi
 present=()
 for json in "${all_json[@]}"; do

@@ -3,6 +3,7 @@
 #include "bench/report/bar_chart.hpp"
 #include "bench/scene/sized_scenes.hpp"
 #include "bench/support/comparisons.hpp"
+#include "bench/support/small_batch_table.hpp"
 #include "bench/support/summary.hpp"
 #include "bench/support/table.hpp"
 
@@ -127,23 +128,14 @@ Plot plotOf(const Summary& summary, const std::string& kind) {
   return {name, chart.title, toSvg(chart)};
 }
 
-std::vector<std::string> kindsOf(const Summary& summary) {
-  std::vector<std::string> kinds;
-  for (const Summary::Row& row : summary.rows) {
-    if (std::find(kinds.begin(), kinds.end(), row.kind) == kinds.end())
-      kinds.push_back(row.kind);
-  }
-  return kinds;
-}
-
 std::string asHeading(std::string title) {
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   return title;
 }
 
 std::string sectionTitle(const Summary& summary) {
-  return fmt::format("{} ({} {})", asHeading(measureTitle(summary.measure)), summary.threadCount,
-                     summary.threadCount == 1 ? "thread" : "threads");
+  return fmt::format("{} ({})", asHeading(measureTitle(summary.measure)),
+                     threadText(summary.threadCount));
 }
 
 /// Steps are few numbers that say little in a picture.
@@ -175,13 +167,13 @@ PerformanceFigures performanceFigures(const std::vector<Result>& results,
   figures.markdown =
       fmt::format("Machine: {}. Compiler: {}. Commit: {}.\n", machine,
                   joined(results, &Result::compiler), joined(results, &Result::commit));
-  for (const Summary& summary : summarise(withoutSizedBuilds(results))) {
+  for (const Summary& summary : summarise(withoutSmallBatches(withoutSizedBuilds(results)))) {
     figures.markdown +=
         fmt::format("\n### {}\n\n{}", sectionTitle(summary), markdownTable(summary));
     if (!isPlotted(summary))
       continue;
     figures.markdown += "\n";
-    for (const std::string& kind : kindsOf(summary)) {
+    for (const std::string& kind : namesOf(summary, &Summary::Row::kind)) {
       Plot plot = plotOf(summary, kind);
       figures.markdown += fmt::format("![{}]({}/{})\n", plot.title, plotFolder, plot.name);
       figures.plots.push_back(std::move(plot));

@@ -1,8 +1,8 @@
+#include "bench/rivals/denormals_flushed.hpp"
+#include "bench/rivals/embree3_packets.hpp"
 #include "bench/rivals/engines.hpp"
 
 #include <embree3/rtcore.h>
-#include <pmmintrin.h>
-#include <xmmintrin.h>
 
 #include <array>
 #include <cstddef>
@@ -15,20 +15,6 @@
 namespace planetree::bench {
 
 namespace {
-
-/// Sets flush-to-zero and denormals-are-zero for this thread, and puts back what there was.
-class DenormalsFlushed {
- public:
-  DenormalsFlushed() : before_(_mm_getcsr()) {
-    _mm_setcsr(before_ | static_cast<unsigned>(_MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON));
-  }
-  ~DenormalsFlushed() { _mm_setcsr(before_); }
-  DenormalsFlushed(const DenormalsFlushed&) = delete;
-  DenormalsFlushed& operator=(const DenormalsFlushed&) = delete;
-
- private:
-  unsigned before_;
-};
 
 RTCRay toEmbree(const Rayf& ray) {
   RTCRay out;
@@ -88,7 +74,7 @@ void boundShape(const RTCBoundsFunctionArguments* arguments) {
   bounds.upper_z = box.upper.z;
 }
 
-/// For single rays, as all of the benchmark are.
+/// For single rays: modes with packets take no shapes.
 template <class S>
 void intersectShape(const RTCIntersectFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0)
@@ -179,7 +165,8 @@ class Device {
   RTCDevice device_;
 };
 
-class Embree3Structure final : public Structure {
+/// A scene that is built, without a way to ask it.
+class Embree3Structure : public Structure {
  public:
   Embree3Structure(std::shared_ptr<const Device> device, const SceneObjects& objects,
                    RTCBuildQuality quality, RTCSceneFlags flags)
@@ -200,6 +187,19 @@ class Embree3Structure final : public Structure {
   }
   ~Embree3Structure() override { rtcReleaseScene(scene_); }
 
+ protected:
+  [[nodiscard]] RTCScene scene() const noexcept { return scene_; }
+
+ private:
+  std::shared_ptr<const Device> device_;
+  RTCScene scene_;
+};
+
+/// Asked by single rays.
+class SingleRayStructure final : public Embree3Structure {
+ public:
+  using Embree3Structure::Embree3Structure;
+
   void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const override {
     const DenormalsFlushed flushed;
     RayContext context;
@@ -209,7 +209,7 @@ class Embree3Structure final : public Structure {
       rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
       context.ray = &rays[i];
-      rtcIntersect1(scene_, &context.embree, &rayHit);
+      rtcIntersect1(scene(), &context.embree, &rayHit);
       hits[i] = fromEmbree(rayHit);
     }
   }
@@ -220,17 +220,41 @@ class Embree3Structure final : public Structure {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       RTCRay ray = toEmbree(rays[i]);
       context.ray = &rays[i];
-      rtcOccluded1(scene_, &context.embree, &ray);
+      rtcOccluded1(scene(), &context.embree, &ray);
       // Embree tells an occluded ray by a negative tfar.
       occluded[i] = ray.tfar < 0.0f ? 1 : 0;
     }
   }
-
- private:
-  std::shared_ptr<const Device> device_;
-  RTCScene scene_;
 };
 
+/// Asked by packets of rays.
+class PacketStructure final : public Embree3Structure {
+ public:
+  using Embree3Structure::Embree3Structure;
+
+  void findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits) const override {
+    Embree3Packets packets(scene(), rays, false, PacketLayout());
+    packets.trace(1);
+    packets.readHits(hits);
+  }
+
+  void findOcclusions(std::span<const Rayf> rays, std::span<std::uint8_t> occluded) const override {
+    Embree3Packets packets(scene(), rays, true, PacketLayout());
+    packets.trace(1);
+    packets.readOcclusions(occluded);
+  }
+
+  [[nodiscard]] std::unique_ptr<Batch> makeBatch(const RaySet& set,
+                                                 std::size_t /*callSize*/) const override {
+    return std::make_unique<Embree3Packets>(
+        scene(), set.rays, asksForAnyHit(set.kind),
+        PacketLayout{.pictureWidth = set.pictureWidth,
+                     .areCoherent = set.kind == RayKind::Primary});
+  }
+};
+
+/// `S` is what it builds: a `SingleRayStructure` or a `PacketStructure`.
+template <class S>
 class Embree3Engine final : public Engine {
  public:
   Embree3Engine(std::string mode, RTCBuildQuality quality, RTCSceneFlags flags)
@@ -239,8 +263,10 @@ class Embree3Engine final : public Engine {
   [[nodiscard]] std::string name() const override { return "embree3"; }
   [[nodiscard]] std::string mode() const override { return mode_; }
   [[nodiscard]] bool isDefault() const override {
-    return quality_ == RTC_BUILD_QUALITY_MEDIUM && flags_ == RTC_SCENE_FLAG_NONE;
+    return !kHasPackets && quality_ == RTC_BUILD_QUALITY_MEDIUM && flags_ == RTC_SCENE_FLAG_NONE;
   }
+  /// Shapes are told the ray as it was given, which a packet has not kept.
+  [[nodiscard]] bool takesShapes() const override { return !kHasPackets; }
 
   void prepare(unsigned threadCount) const override {
     static_cast<void>(Device::with(threadCount));
@@ -248,14 +274,19 @@ class Embree3Engine final : public Engine {
 
   [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,
                                                  unsigned threadCount) const override {
-    return std::make_unique<Embree3Structure>(Device::with(threadCount), objects, quality_, flags_);
+    return std::make_unique<S>(Device::with(threadCount), objects, quality_, flags_);
   }
 
  private:
+  static constexpr bool kHasPackets = std::is_same_v<S, PacketStructure>;
+
   std::string mode_;
   RTCBuildQuality quality_;
   RTCSceneFlags flags_;
 };
+
+constexpr std::array kVariants = {std::pair("", RTC_SCENE_FLAG_NONE),
+                                  std::pair("-robust", RTC_SCENE_FLAG_ROBUST)};
 
 }  // namespace
 
@@ -264,11 +295,25 @@ EngineList embree3Engines() {
                                 std::pair("medium", RTC_BUILD_QUALITY_MEDIUM),
                                 std::pair("high", RTC_BUILD_QUALITY_HIGH)};
   EngineList engines;
-  for (const auto& [flags, suffix] :
-       {std::pair(RTC_SCENE_FLAG_NONE, ""), std::pair(RTC_SCENE_FLAG_ROBUST, "-robust")}) {
-    for (const auto& [name, quality] : qualities)
-      engines.push_back(
-          std::make_unique<Embree3Engine>(std::string(name) + suffix, quality, flags));
+  for (const auto& [suffix, flags] : kVariants) {
+    for (const auto& [name, quality] : qualities) {
+      engines.push_back(std::make_unique<Embree3Engine<SingleRayStructure>>(
+          std::string(name) + suffix, quality, flags));
+    }
+  }
+  return engines;
+}
+
+EngineList embree3EnginesForBatches() {
+  // Not the low quality: for rays it never is the best.
+  const std::array qualities = {std::pair("medium", RTC_BUILD_QUALITY_MEDIUM),
+                                std::pair("high", RTC_BUILD_QUALITY_HIGH)};
+  EngineList engines;
+  for (const auto& [suffix, flags] : kVariants) {
+    for (const auto& [name, quality] : qualities) {
+      engines.push_back(std::make_unique<Embree3Engine<PacketStructure>>(
+          std::string(name) + suffix + "-packets", quality, flags));
+    }
   }
   return engines;
 }

@@ -6,7 +6,7 @@ const std::vector<Rival>& rivals() {
   static const std::vector<Rival> all = {
       {"planetree", &planetreeEngines, "", true, &planetreeEnginesByName},
 #ifdef PLANETREE_BENCH_EMBREE3
-      {"embree3", &embree3Engines, "libembree-dev"},
+      {"embree3", &embree3Engines, "libembree-dev", true, nullptr, &embree3EnginesForBatches},
 #else
       {"embree3", nullptr, "libembree-dev"},
 #endif

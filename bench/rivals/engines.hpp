@@ -14,6 +14,7 @@ using EngineList = std::vector<std::unique_ptr<Engine>>;
 [[nodiscard]] EngineList planetreeEngines();
 [[nodiscard]] EngineList planetreeEnginesByName();
 [[nodiscard]] EngineList embree3Engines();
+[[nodiscard]] EngineList embree3EnginesForBatches();
 [[nodiscard]] EngineList cgalEngines();
 
 /// A library that may take part, and what is known without it.
@@ -24,6 +25,9 @@ struct Rival {
   bool joinsUnasked = true;  ///< whether it takes part where nobody was named
   /// More modes, each of which takes part only where it is named itself.
   EngineList (*enginesByName)() = nullptr;
+  /// Modes that trace several rays at once: they take part in batches with the library, and
+  /// elsewhere only where they are named themselves.
+  EngineList (*enginesForBatches)() = nullptr;
 };
 
 /// planetree first.

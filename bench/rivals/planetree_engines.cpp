@@ -4,6 +4,7 @@
 
 #include "traversal/count_wide_steps.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -11,6 +12,40 @@
 namespace planetree::bench {
 
 namespace {
+
+/// Plain rays in their order, and plain hits.
+template <class O>
+class PlanetreeBatch final : public Batch {
+ public:
+  PlanetreeBatch(const KdTree<O>& tree, const RaySet& set, std::size_t callSize)
+      : tree_(tree), rays_(set.rays), asksForAnyHit_(asksForAnyHit(set.kind)), callSize_(callSize) {
+    if (asksForAnyHit_)
+      answers_.occluded.resize(rays_.size());
+    else
+      answers_.hits.resize(rays_.size());
+  }
+
+  void trace(unsigned threadCount) override {
+    const BatchOptions options = {.threadCount = threadCount};
+    for (std::size_t begin = 0; begin < rays_.size(); begin += callSize_) {
+      const std::size_t count = std::min(callSize_, rays_.size() - begin);
+      const auto rays = rays_.subspan(begin, count);
+      if (asksForAnyHit_)
+        tree_.areOccluded(rays, std::span(answers_.occluded).subspan(begin, count), options);
+      else
+        tree_.findIntersections(rays, std::span(answers_.hits).subspan(begin, count), options);
+    }
+  }
+
+  void readAnswers(Answers& answers) const override { answers = answers_; }
+
+ private:
+  const KdTree<O>& tree_;
+  std::span<const Rayf> rays_;
+  bool asksForAnyHit_;
+  std::size_t callSize_;
+  Answers answers_;
+};
 
 template <class O>
 class PlanetreeStructure final : public Structure {
@@ -27,6 +62,15 @@ class PlanetreeStructure final : public Structure {
   void findOcclusions(std::span<const Rayf> rays, std::span<std::uint8_t> occluded) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
       occluded[i] = tree_.isOccluded(rayIn<T>(rays[i])) ? 1 : 0;
+  }
+
+  /// The rays are in float: those of a tree of doubles are turned into doubles one by one.
+  [[nodiscard]] std::unique_ptr<Batch> makeBatch(const RaySet& set,
+                                                 std::size_t callSize) const override {
+    if constexpr (std::is_same_v<T, float>)
+      return std::make_unique<PlanetreeBatch<O>>(tree_, set, callSize);
+    else
+      return nullptr;
   }
 
   [[nodiscard]] Steps countSteps(std::span<const Rayf> rays, bool forAnyHit) const override {
@@ -67,6 +111,7 @@ class PlanetreeEngine final : public Engine {
   [[nodiscard]] bool queriesReadMesh() const override { return kIsFloat; }
   /// The shapes of scenes are in float.
   [[nodiscard]] bool takesShapes() const override { return kIsFloat; }
+  [[nodiscard]] bool takesBatches() const override { return kIsFloat; }
   [[nodiscard]] bool countsSteps() const override { return std::is_same_v<T, float>; }
 
   [[nodiscard]] std::unique_ptr<Structure> build(const SceneObjects& objects,

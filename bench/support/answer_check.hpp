@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bench/rivals/engine.hpp"
+#include "bench/support/answers.hpp"
 #include "bench/support/ray_kinds.hpp"
 
 #include <cstddef>
@@ -11,14 +12,6 @@
 
 /// No engine is timed before its answers were checked: a fast wrong answer is worth nothing.
 namespace planetree::bench {
-
-/// What an engine says of the rays of a set. One of the two is filled, by the kind of the rays.
-struct Answers {
-  std::vector<Hitf> hits;
-  std::vector<std::uint8_t> occluded;
-
-  friend bool operator==(const Answers&, const Answers&) = default;
-};
 
 /// Room for the answers to a set of rays.
 [[nodiscard]] Answers roomForAnswers(const RaySet& set);

@@ -1,6 +1,9 @@
 #include "bench/support/comparisons.hpp"
 
 #include "bench/scene/sized_scenes.hpp"
+#include "bench/support/batch_tables.hpp"
+#include "bench/support/mean.hpp"
+#include "bench/support/small_batch_table.hpp"
 #include "bench/support/summary.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +22,6 @@ namespace planetree::bench {
 
 namespace {
 
-constexpr const char* kNotMeasured = "-";
-
 /// A preset, and what a user of Embree would build with for the same end.
 struct Counterparts {
   std::string_view preset;
@@ -30,36 +31,6 @@ struct Counterparts {
 constexpr Counterparts kCounterparts[] = {{"fast", "fast-watertight", "medium"},
                                           {"balanced", "balanced-watertight", "high"},
                                           {"high", "high-watertight", "high"}};
-
-/// The geometric mean of the numbers added to it.
-class Mean {
- public:
-  void add(double number) {
-    logSum_ += std::log(number);
-    ++count_;
-  }
-  [[nodiscard]] std::string text() const {
-    return count_ == 0 ? kNotMeasured : ratioText(std::exp(logSum_ / count_));
-  }
-  [[nodiscard]] bool isEmpty() const noexcept { return count_ == 0; }
-
- private:
-  double logSum_ = 0.0;
-  double count_ = 0.0;
-};
-
-std::optional<std::size_t> columnOf(const Summary& summary, std::string_view engine,
-                                    std::string_view mode) {
-  for (std::size_t i = 0; i < summary.columns.size(); ++i) {
-    if (summary.columns[i].engine == engine && summary.columns[i].mode == mode)
-      return i;
-  }
-  return std::nullopt;
-}
-
-std::string threadText(unsigned count) {
-  return fmt::format("{} {}", count, count == 1 ? "thread" : "threads");
-}
 
 std::string nameOf(const Summary::Column& column) {
   return column.engine + " " + column.mode;
@@ -80,6 +51,7 @@ Mean meanLead(const Summary& summary, const Counterparts& pair) {
   return mean;
 }
 
+/// All but batches, for which the best of Embree is the counterpart.
 Table presets(const std::vector<Summary>& summaries) {
   Table table;
   table.title = "how many times better the presets are than their counterparts, geometric means";
@@ -87,6 +59,8 @@ Table presets(const std::vector<Summary>& summaries) {
   for (const Counterparts& pair : kCounterparts)
     table.header.push_back(fmt::format("{} / embree3 {}", pair.preset, pair.quality));
   for (const Summary& summary : summaries) {
+    if (summary.measure == kBatchMraysPerSecond || isOfSmallBatches(summary.measure))
+      continue;
     std::vector<std::string> row = {
         fmt::format("{} ({})", measureTitle(summary.measure), threadText(summary.threadCount))};
     bool isEmpty = true;
@@ -101,58 +75,68 @@ Table presets(const std::vector<Summary>& summaries) {
   return table;
 }
 
-const Summary::Row* rowOf(const Summary& summary, const std::string& scene) {
-  const auto found = std::find_if(summary.rows.begin(), summary.rows.end(),
-                                  [&](const Summary::Row& row) { return row.scene == scene; });
-  return found != summary.rows.end() ? &*found : nullptr;
+/// How many times better a column of `several` is than the same of `one`, over the kinds of rays of
+/// a scene.
+Mean speedUpOf(const Summary& one, const Summary& several, std::size_t column,
+               const std::string& scene) {
+  Mean mean;
+  const auto alone = columnOf(one, several.columns[column].engine, several.columns[column].mode);
+  for (const Summary::Row& row : several.rows) {
+    const Summary::Row* const before = rowOf(one, scene, row.kind);
+    if (row.scene != scene || !alone || before == nullptr)
+      continue;
+    const auto& [a, b] = std::pair(before->values[*alone], row.values[column]);
+    if (a && b)
+      mean.add(moreIsBetter(one.measure) ? *b / *a : *a / *b);
+  }
+  return mean;
 }
 
 /// Two summaries of the same measure: with one thread, and with several.
 Table speedUp(const Summary& one, const Summary& several) {
   Table table;
-  table.title =
-      fmt::format("how many times faster {} build than 1", threadText(several.threadCount));
+  table.title = fmt::format("how many times faster {} {} than 1", threadText(several.threadCount),
+                            several.measure == kBatchMraysPerSecond ? "trace batches" : "build");
   table.header = {"scene"};
   for (const Summary::Column& column : several.columns)
     table.header.push_back(nameOf(column));
   std::vector<Mean> means(several.columns.size());
-  for (const Summary::Row& row : several.rows) {
-    const Summary::Row* const alone = rowOf(one, row.scene);
-    if (alone == nullptr)
-      continue;
-    std::vector<std::string> cells = {row.scene};
+  for (const std::string& scene : namesOf(several, &Summary::Row::scene)) {
+    std::vector<std::string> cells = {scene};
+    bool isEmpty = true;
     for (std::size_t i = 0; i < several.columns.size(); ++i) {
-      const auto column = columnOf(one, several.columns[i].engine, several.columns[i].mode);
-      if (!column || !alone->values[*column] || !row.values[i]) {
-        cells.emplace_back(kNotMeasured);
+      const Mean mean = speedUpOf(one, several, i, scene);
+      cells.push_back(mean.text());
+      if (mean.isEmpty())
         continue;
-      }
-      const double ratio = *alone->values[*column] / *row.values[i];
-      means[i].add(ratio);
-      cells.push_back(ratioText(ratio));
+      isEmpty = false;
+      means[i].add(mean.value());
     }
-    table.rows.push_back(std::move(cells));
+    if (!isEmpty)
+      table.rows.push_back(std::move(cells));
   }
   if (table.rows.size() > 1) {
     table.rows.push_back({"geometric mean"});
     for (const Mean& mean : means)
       table.rows.back().push_back(mean.text());
+    table.rows.push_back({"worst scene"});
+    for (const Mean& mean : means)
+      table.rows.back().push_back(mean.leastText());
   }
   return table;
 }
 
 std::vector<Table> speedUps(const std::vector<Summary>& summaries) {
-  const auto buildsWith = [](const Summary& summary, bool isOne) {
-    return summary.measure == kBuildSeconds && (summary.threadCount == 1) == isOne;
-  };
-  const auto one = std::find_if(summaries.begin(), summaries.end(),
-                                [&](const Summary& summary) { return buildsWith(summary, true); });
   std::vector<Table> tables;
-  if (one == summaries.end())
-    return tables;
-  for (const Summary& summary : summaries) {
-    if (buildsWith(summary, false))
-      tables.push_back(speedUp(*one, summary));
+  for (const Summary& several : summaries) {
+    if ((several.measure != kBuildSeconds && several.measure != kBatchMraysPerSecond) ||
+        several.threadCount == 1)
+      continue;
+    const auto one = std::find_if(summaries.begin(), summaries.end(), [&](const Summary& summary) {
+      return summary.measure == several.measure && summary.threadCount == 1;
+    });
+    if (one != summaries.end())
+      tables.push_back(speedUp(*one, several));
   }
   return tables;
 }
@@ -174,7 +158,7 @@ Table scaling(const std::string& family, const Sizes& sizes, const Summary& summ
     table.header.push_back(nameOf(column));
   std::vector<std::optional<double>> smallest(summary.columns.size());
   for (const auto& [triangles, scene] : sizes) {
-    const Summary::Row* const row = rowOf(summary, scene);
+    const Summary::Row* const row = rowOf(summary, scene, "");
     if (row == nullptr)
       continue;
     const auto count = static_cast<double>(triangles);
@@ -217,8 +201,8 @@ std::vector<Table> scalings(const std::vector<Result>& results) {
 
 std::vector<Table> comparisons(const std::vector<Result>& results) {
   const std::vector<Summary> summaries = summarise(results);
-  std::vector<Table> tables = {presets(summaries)};
-  for (auto& more : {speedUps(summaries), scalings(results)})
+  std::vector<Table> tables = {presets(summaries), smallBatchTable(summaries)};
+  for (auto& more : {batchTables(summaries), speedUps(summaries), scalings(results)})
     tables.insert(tables.end(), more.begin(), more.end());
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   return tables;

@@ -13,8 +13,12 @@ namespace planetree::bench {
 /// - each preset of planetree beside the quality of Embree that is its counterpart, for each
 ///   measure: the geometric mean, over scenes and kinds of rays, of how many times better planetree
 ///   is;
-/// - for builds with one thread and with more: how many times faster more threads are, for each
-///   scene;
+/// - for batches: how many times more rays planetree's default traces than the mode of Embree that
+///   is best for the scene and the kind of rays, and the mean and the worst of each kind, and of
+///   all kinds but primary rays together;
+/// - for small batches: what they take more than their rays one by one;
+/// - for builds and batches with one thread and with more: how many times faster more threads are,
+///   for each scene, over all kinds of rays;
 /// - for builds of `sizedSceneName` scenes: the time for each triangle, and how it grows beside the
 ///   logarithm of their number, which is what sorting costs.
 [[nodiscard]] std::vector<Table> comparisons(const std::vector<Result>& results);

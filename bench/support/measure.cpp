@@ -1,5 +1,6 @@
 #include "bench/support/measure.hpp"
 
+#include "bench/support/batches.hpp"
 #include "bench/support/build_info.hpp"
 #include "bench/support/counted_heap.hpp"
 #include "bench/support/interleaved.hpp"
@@ -47,16 +48,32 @@ bool isWorthTelling(const CheckedPair& pair) {
   return !pair.isAcceptable || pair.disagreement.wrong() > 0 || pair.disagreement.otherId > 0;
 }
 
+using BatchMaker = std::unique_ptr<Batch> (*)(const Structure&, const RaySet&);
+using Batches = std::vector<std::unique_ptr<Batch>>;
+
+Batches makeBatches(const Structures& structures, const RaySet& set, BatchMaker makeBatch) {
+  Batches batches;
+  for (const auto& structure : structures)
+    batches.push_back(makeBatch(*structure, set));
+  return batches;
+}
+
+CheckedAnswers answersOf(const Engine& engine, Batch& batch, const RaySet& set,
+                         unsigned threadCount) {
+  CheckedAnswers checked{engine.name(), engine.mode(), engine.isExact(), engine.precision(),
+                         roomForAnswers(set)};
+  batch.reset();
+  batch.trace(threadCount);
+  batch.readAnswers(checked.answers);
+  return checked;
+}
+
 /// All engines answer all rays, which also warms them up.
-std::vector<CheckedAnswers> allAnswers(const EngineList& engines, const Structures& structures,
+std::vector<CheckedAnswers> allAnswers(const EngineList& engines, const Batches& batches,
                                        const RaySet& set, unsigned threadCount) {
   std::vector<CheckedAnswers> all;
-  for (std::size_t i = 0; i < engines.size(); ++i) {
-    CheckedAnswers checked{engines[i]->name(), engines[i]->mode(), engines[i]->isExact(),
-                           engines[i]->precision(), roomForAnswers(set)};
-    takeAnswers(*structures[i], set, threadCount, checked.answers);
-    all.push_back(std::move(checked));
-  }
+  for (std::size_t i = 0; i < engines.size(); ++i)
+    all.push_back(answersOf(*engines[i], *batches[i], set, threadCount));
   return all;
 }
 
@@ -85,8 +102,10 @@ void checkAll(const BenchScene& scene, const EngineList& engines, const MeasureS
   // others.
   const auto sets = makeRaySets(scene.objects(), scene.camera, settings.kinds, kCheckedRayCounts);
   const Structures structures = buildAll(scene, engines, settings.threadCount);
-  for (const RaySet& set : sets)
-    check(scene, set, allAnswers(engines, structures, set, hardwareThreads()), settings);
+  for (const RaySet& set : sets) {
+    const Batches batches = makeBatches(structures, set, &oneByOne);
+    check(scene, set, allAnswers(engines, batches, set, hardwareThreads()), settings);
+  }
 }
 
 Result resultOf(const BenchScene& scene, const Engine& engine, std::string_view measure,
@@ -118,6 +137,47 @@ double buildSeconds(const BenchScene& scene, const Engine& engine, unsigned thre
     Hitf hit;
     structure->findIntersections(std::span(&ray, 1), std::span(&hit, 1));
   });
+}
+
+double secondsToTrace(Batch& batch, unsigned threadCount) {
+  batch.reset();
+  return secondsOf([&] { batch.trace(threadCount); });
+}
+
+/// The rays of a set in calls of one size.
+struct SizedCalls {
+  std::string measure;
+  std::size_t callSize = 1;
+  std::unique_ptr<Batch> batch;
+};
+
+/// One by one first.
+std::vector<SizedCalls> smallBatches(const Structure& structure, const RaySet& set) {
+  std::vector<SizedCalls> all;
+  all.push_back({std::string(kNanosecondsOneByOne), 1, oneByOne(structure, set)});
+  for (const std::size_t size : kSmallBatches) {
+    all.push_back({smallBatchMeasure(size), size, structure.makeBatch(set, size)});
+  }
+  return all;
+}
+
+void addSmallBatches(const BenchScene& scene, const Engine& engine, const RaySet& set,
+                     const Structure& structure, const MeasureSettings& settings,
+                     std::vector<Result>& results) {
+  const auto calls = smallBatches(structure, set);
+  std::vector<CheckedAnswers> all;
+  for (const SizedCalls& sized : calls)
+    all.push_back(answersOf(engine, *sized.batch, set, 1));
+  check(scene, set, all, settings);
+  const auto seconds = bestOfRounds(calls.size(), settings.repetitions, [&](std::size_t i) {
+    return secondsToTrace(*calls[i].batch, 1);
+  });
+  const auto rayCount = static_cast<double>(set.rays.size());
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    const double nanoseconds = seconds[i] / rayCount * static_cast<double>(calls[i].callSize) * 1e9;
+    results.push_back(
+        resultOf(scene, engine, calls[i].measure, rayKindName(set.kind), 1, nanoseconds));
+  }
 }
 
 void prepareAll(const EngineList& engines, unsigned threadCount) {
@@ -180,30 +240,62 @@ double heldBytes(const BenchScene& scene, const Engine& engine, unsigned threadC
   return bytes;
 }
 
+/// The sets that have rays; it tells which kinds have none.
+std::vector<RaySet> setsWithRays(const BenchScene& scene, const MeasureSettings& settings) {
+  auto sets = makeRaySets(scene.objects(), scene.camera, settings.kinds, settings.counts);
+  std::erase_if(sets, [&](const RaySet& set) {
+    if (set.rays.empty()) {
+      settings.say(fmt::format("{}: there are no {} rays, since no primary ray hits", scene.name,
+                               rayKindName(set.kind)));
+    }
+    return set.rays.empty();
+  });
+  return sets;
+}
+
+/// Million rays per second of each kind, handed over in one of the ways.
+std::vector<Result> raysPerSecond(const BenchScene& scene, const EngineList& engines,
+                                  const MeasureSettings& settings, std::string_view measure,
+                                  BatchMaker makeBatch) {
+  const Structures structures = buildAll(scene, engines, settings.buildThreadCount);
+  std::vector<Result> results;
+  for (const RaySet& set : setsWithRays(scene, settings)) {
+    const Batches batches = makeBatches(structures, set, makeBatch);
+    check(scene, set, allAnswers(engines, batches, set, settings.threadCount), settings);
+    const auto seconds = bestOfRounds(engines.size(), settings.repetitions, [&](std::size_t i) {
+      return secondsToTrace(*batches[i], settings.threadCount);
+    });
+    for (std::size_t i = 0; i < engines.size(); ++i) {
+      const double millionRays = static_cast<double>(set.rays.size()) / 1e6;
+      results.push_back(resultOf(scene, *engines[i], measure, rayKindName(set.kind),
+                                 settings.threadCount, millionRays / seconds[i]));
+    }
+  }
+  return results;
+}
+
 }  // namespace
 
 std::vector<Result> measureRays(const BenchScene& scene, const EngineList& engines,
                                 const MeasureSettings& settings) {
-  const Structures structures = buildAll(scene, engines, settings.buildThreadCount);
+  return raysPerSecond(scene, engines, settings, kMraysPerSecond, &oneByOne);
+}
+
+std::vector<Result> measureBatches(const BenchScene& scene, const EngineList& engines,
+                                   const MeasureSettings& settings) {
+  return raysPerSecond(scene, engines, settings, kBatchMraysPerSecond, &allAtOnce);
+}
+
+std::vector<Result> measureSmallBatches(const BenchScene& scene, const EngineList& engines,
+                                        const MeasureSettings& settings) {
+  const auto sets = setsWithRays(scene, settings);
   std::vector<Result> results;
-  for (const RaySet& set :
-       makeRaySets(scene.objects(), scene.camera, settings.kinds, settings.counts)) {
-    if (set.rays.empty()) {
-      settings.say(fmt::format("{}: there are no {} rays, since no primary ray hits", scene.name,
-                               rayKindName(set.kind)));
+  for (const auto& engine : engines) {
+    if (!engine->takesBatches())
       continue;
-    }
-    auto all = allAnswers(engines, structures, set, settings.threadCount);
-    check(scene, set, all, settings);
-    const auto seconds = bestOfRounds(engines.size(), settings.repetitions, [&](std::size_t i) {
-      return secondsOf(
-          [&] { takeAnswers(*structures[i], set, settings.threadCount, all[i].answers); });
-    });
-    for (std::size_t i = 0; i < engines.size(); ++i) {
-      const double millionRays = static_cast<double>(set.rays.size()) / 1e6;
-      results.push_back(resultOf(scene, *engines[i], kMraysPerSecond, rayKindName(set.kind),
-                                 settings.threadCount, millionRays / seconds[i]));
-    }
+    const auto structure = engine->build(scene.objects(), settings.buildThreadCount);
+    for (const RaySet& set : sets)
+      addSmallBatches(scene, *engine, set, *structure, settings, results);
   }
   return results;
 }

@@ -44,6 +44,19 @@ class WrongAnswers : public std::runtime_error {
 [[nodiscard]] std::vector<Result> measureRays(const BenchScene& scene, const EngineList& engines,
                                               const MeasureSettings& settings);
 
+/// `batch_mrays_per_second` of each kind of rays, all of them handed over in one call; ray by ray
+/// to libraries that have no call for many. What a library does to lay the rays out beforehand is
+/// not measured.
+[[nodiscard]] std::vector<Result> measureBatches(const BenchScene& scene, const EngineList& engines,
+                                                 const MeasureSettings& settings);
+
+/// `nanoseconds_one_by_one`, of a ray, and for each of `kSmallBatches` `nanoseconds_of_a_batch_of_`
+/// so many, both for each kind of rays, whose rays are handed over in their order, from one thread.
+/// Engines that take no batches have no results.
+[[nodiscard]] std::vector<Result> measureSmallBatches(const BenchScene& scene,
+                                                      const EngineList& engines,
+                                                      const MeasureSettings& settings);
+
 /// `build_seconds`: from the arrays to the first ray traced. The threads, and what else a library
 /// sets up once for a program, are there before.
 [[nodiscard]] std::vector<Result> measureBuild(const BenchScene& scene, const EngineList& engines,

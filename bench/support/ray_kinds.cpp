@@ -148,7 +148,7 @@ std::vector<RaySet> makeRaySets(const KdTree<O>& tree, const render::Camera& cam
     const std::uint64_t seed = seedOf(kind);
     switch (kind) {
       case RayKind::Primary:
-        sets.push_back({kind, primary});
+        sets.push_back({kind, primary, counts.pictureSize});
         break;
       case RayKind::AmbientOcclusion:
         sets.push_back(

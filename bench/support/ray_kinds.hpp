@@ -45,6 +45,8 @@ inline constexpr std::array kRayKinds = {RayKind::Primary, RayKind::AmbientOcclu
 struct RaySet {
   RayKind kind = RayKind::Primary;
   std::vector<Rayf> rays;
+  /// Pixels to a row where the rays are those of a picture, row by row; 0 where they are not.
+  std::size_t pictureWidth = 0;
 };
 
 /// How many rays there are: primary ones are `pictureSize` squared, `ao` and `diffuse` ones as many

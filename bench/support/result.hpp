@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,13 +14,16 @@ inline constexpr std::string_view kBuildSeconds = "build_seconds";
 inline constexpr std::string_view kBytesPerTriangle = "bytes_per_triangle";
 inline constexpr std::string_view kPeakBytesPerTriangle = "peak_bytes_per_triangle";
 inline constexpr std::string_view kMraysPerSecond = "mrays_per_second";
+inline constexpr std::string_view kBatchMraysPerSecond = "batch_mrays_per_second";
+inline constexpr std::string_view kNanosecondsOneByOne = "nanoseconds_one_by_one";
+inline constexpr std::string_view kNanosecondsOfABatch = "nanoseconds_of_a_batch_of_";  ///< rays
 inline constexpr std::string_view kNodeStepsPerRay = "node_steps_per_ray";
 inline constexpr std::string_view kBlockStepsPerRay = "block_steps_per_ray";
 
 /// One cell of the benchmark, as it stands in the JSON.
 struct Result {
   std::string scene;    ///< name of the file without folder and extension
-  std::string measure;  ///< one of those above
+  std::string measure;  ///< one of those above; of small batches with a number behind
   std::string kind;     ///< of rays; empty where no rays are measured
   std::string engine;   ///< "planetree", "embree3", "cgal"
   std::string mode;     ///< "balanced-watertight", "high-robust"
@@ -32,9 +37,22 @@ struct Result {
   friend bool operator==(const Result&, const Result&) = default;
 };
 
+/// The numbers of rays in the small batches that are measured.
+inline constexpr std::array kSmallBatches = {std::size_t{1}, std::size_t{8}, std::size_t{64}};
+
+/// "nanoseconds_of_a_batch_of_8"
+[[nodiscard]] inline std::string smallBatchMeasure(std::size_t size) {
+  return std::string(kNanosecondsOfABatch) + std::to_string(size);
+}
+
+/// Whether it is one of the measures of small batches, which say little on their own.
+[[nodiscard]] inline bool isOfSmallBatches(std::string_view measure) {
+  return measure == kNanosecondsOneByOne || measure.starts_with(kNanosecondsOfABatch);
+}
+
 /// Whether more is better; otherwise less is.
 [[nodiscard]] inline bool moreIsBetter(std::string_view measure) {
-  return measure == kMraysPerSecond;
+  return measure == kMraysPerSecond || measure == kBatchMraysPerSecond;
 }
 
 /// A JSON array of objects with the keys scene, measure, kind, engine, mode, threads, value,

@@ -117,9 +117,40 @@ std::vector<Summary> summarise(const std::vector<Result>& results) {
   return summaries;
 }
 
+std::optional<std::size_t> columnOf(const Summary& summary, std::string_view engine,
+                                    std::string_view mode) {
+  for (std::size_t i = 0; i < summary.columns.size(); ++i) {
+    if (summary.columns[i].engine == engine && summary.columns[i].mode == mode)
+      return i;
+  }
+  return std::nullopt;
+}
+
+const Summary::Row* rowOf(const Summary& summary, std::string_view scene, std::string_view kind) {
+  const auto found =
+      std::find_if(summary.rows.begin(), summary.rows.end(),
+                   [&](const Summary::Row& row) { return row.scene == scene && row.kind == kind; });
+  return found != summary.rows.end() ? &*found : nullptr;
+}
+
+std::vector<std::string> namesOf(const Summary& summary, std::string Summary::Row::*part) {
+  std::vector<std::string> names;
+  for (const Summary::Row& row : summary.rows) {
+    if (std::find(names.begin(), names.end(), row.*part) == names.end())
+      names.push_back(row.*part);
+  }
+  return names;
+}
+
+std::string threadText(unsigned count) {
+  return fmt::format("{} {}", count, count == 1 ? "thread" : "threads");
+}
+
 std::string measureTitle(const std::string& measure) {
   if (measure == kMraysPerSecond)
     return "million rays per second, more is better";
+  if (measure == kBatchMraysPerSecond)
+    return "million rays per second in batches, more is better";
   if (measure == kBuildSeconds)
     return "seconds to build, less is better";
   if (measure == kBytesPerTriangle)
@@ -159,8 +190,7 @@ std::string toText(const Summary& summary) {
       lines.back().push_back(mean ? ratioText(*mean) : "-");
   }
 
-  return fmt::format("{}; {} {}\n", measureTitle(summary.measure), summary.threadCount,
-                     summary.threadCount == 1 ? "thread" : "threads") +
+  return fmt::format("{}; {}\n", measureTitle(summary.measure), threadText(summary.threadCount)) +
          alignedLines(lines, 2);
 }
 

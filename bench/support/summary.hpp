@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace planetree::bench {
@@ -38,6 +39,19 @@ struct Summary {
 /// ratio says how many times better planetree's default is than the column: above 1 it leads,
 /// whether more is better or less.
 [[nodiscard]] std::vector<Summary> summarise(const std::vector<Result>& results);
+
+/// The column of an engine in a mode.
+[[nodiscard]] std::optional<std::size_t> columnOf(const Summary& summary, std::string_view engine,
+                                                  std::string_view mode);
+/// The row of a scene and a kind of rays, or null.
+[[nodiscard]] const Summary::Row* rowOf(const Summary& summary, std::string_view scene,
+                                        std::string_view kind);
+/// The scenes, or the kinds, of all rows: each once, in the order in which they first occur.
+[[nodiscard]] std::vector<std::string> namesOf(const Summary& summary,
+                                               std::string Summary::Row::*part);
+
+/// "1 thread", "2 threads"
+[[nodiscard]] std::string threadText(unsigned count);
 
 /// "million rays per second, more is better"
 [[nodiscard]] std::string measureTitle(const std::string& measure);

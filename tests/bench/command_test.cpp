@@ -73,6 +73,58 @@ TEST_F(BenchCommand, RivalsMeasuresWithEachOfSeveralNumbersOfThreads) {
   EXPECT_EQ(results[1].threadCount, 2u);
 }
 
+TEST_F(BenchCommand, RivalsMeasuresBatches) {
+  const auto result = rivals({"--measure", "batch", "--threads", "1,2", "--kinds", "primary,ao",
+                              "--json", "b.json", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "million rays per second in batches"));
+  const auto results = resultsFromJson(readFile("b.json"), "b.json");
+  ASSERT_EQ(results.size(), 4u);
+  EXPECT_EQ(results[0].measure, "batch_mrays_per_second");
+  EXPECT_EQ(results[0].threadCount, 1u);
+  EXPECT_EQ(results[3].kind, "ao");
+  EXPECT_EQ(results[3].threadCount, 2u);
+}
+
+TEST_F(BenchCommand, RivalsMeasuresSmallBatches) {
+  const auto result = rivals({"--measure", "small-batch", "--threads", "1,2", "--kinds", "ao",
+                              "--json", "b.json", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "nanoseconds that small batches take more"));
+  EXPECT_FALSE(contains(result.out, "nanoseconds_of_a_batch")) << "they are in one table";
+  EXPECT_EQ(resultsFromJson(readFile("b.json"), "b.json").size(), 4u);
+}
+
+TEST_F(BenchCommand, SmallBatchesWantAnEngineThatTakesThem) {
+  const auto result =
+      run({"rivals", "--measure", "small-batch", "--engines", "embree3", "waves.ply"});
+  // Without Embree in this build it fails for that.
+  EXPECT_TRUE(result.status == 2 || result.status == 1) << result.err;
+  EXPECT_TRUE(contains(result.err, "embree3") || contains(result.err, "takes batches"))
+      << result.err;
+}
+
+TEST_F(BenchCommand, PacketsTakePartInBatchesAndElsewhereWhereTheyAreNamed) {
+  const auto result =
+      run({"rivals", "--quick", "--repetitions", "1", "--kinds", "random", "--measure",
+           "rays,batch", "--engines", "embree3", "--json", "-", "waves.ply"});
+  if (result.status == 1)
+    GTEST_SKIP() << result.err;
+  std::set<std::string> inBatches;
+  for (const Result& found : resultsFromJson(result.out, "out")) {
+    EXPECT_FALSE(found.measure == "mrays_per_second" && contains(found.mode, "packets"));
+    if (found.measure == "batch_mrays_per_second")
+      inBatches.insert(found.mode);
+  }
+  EXPECT_TRUE(inBatches.contains("high"));
+  EXPECT_TRUE(inBatches.contains("high-packets"));
+  EXPECT_TRUE(inBatches.contains("medium-robust-packets"));
+  const auto named = run({"rivals", "--quick", "--repetitions", "1", "--kinds", "random",
+                          "--engines", "embree3:high-packets", "--json", "-", "waves.ply"});
+  EXPECT_EQ(named.status, 0) << named.err;
+  ASSERT_EQ(resultsFromJson(named.out, "out").size(), 1u);
+}
+
 TEST_F(BenchCommand, RivalsCountsStepsAndPeaks) {
   const auto result = rivals({"--measure", "steps", "--kinds", "ao", "waves.ply"});
   EXPECT_EQ(result.status, 0) << result.err;

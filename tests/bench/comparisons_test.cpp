@@ -17,6 +17,7 @@ struct Cell {
   unsigned threadCount = 2;
   std::string measure = "build_seconds";
   std::uint64_t objectCount = 0;
+  std::string kind = {};
 };
 
 std::vector<Result> resultsOf(const std::vector<Cell>& cells) {
@@ -24,7 +25,7 @@ std::vector<Result> resultsOf(const std::vector<Cell>& cells) {
   for (const Cell& cell : cells) {
     results.push_back({.scene = cell.scene,
                        .measure = cell.measure,
-                       .kind = "",
+                       .kind = cell.kind,
                        .engine = cell.engine,
                        .mode = cell.mode,
                        .threadCount = cell.threadCount,
@@ -78,9 +79,84 @@ TEST(Comparisons, TellHowMuchFasterMoreThreadsAre) {
   EXPECT_EQ(tables[0].title, "how many times faster 2 threads build than 1");
   EXPECT_EQ(tables[0].header,
             (Row{"scene", "planetree balanced-watertight", "planetree fast-watertight"}));
+  EXPECT_EQ(tables[0].rows, (std::vector<Row>{{"a", "2.0x", "1.5x"},
+                                              {"b", "4.0x", "-"},
+                                              {"geometric mean", "2.8x", "1.5x"},
+                                              {"worst scene", "2.0x", "1.5x"}}));
+}
+
+/// Million rays per second of batches.
+Cell batch(const std::string& scene, const std::string& kind, const std::string& mode, double value,
+           unsigned threadCount = 1) {
+  return {.scene = scene,
+          .engine = mode == "balanced-watertight" ? "planetree" : "embree3",
+          .mode = mode,
+          .value = value,
+          .threadCount = threadCount,
+          .measure = "batch_mrays_per_second",
+          .kind = kind};
+}
+
+TEST(Comparisons, PutBatchesBesideTheBestOfEmbreeForEachCell) {
+  const auto tables = comparisons(resultsOf(
+      {batch("a", "primary", "balanced-watertight", 20.0), batch("a", "primary", "high", 5.0),
+       batch("a", "primary", "high-packets", 10.0), batch("a", "ao", "balanced-watertight", 6.0),
+       batch("a", "ao", "high", 4.0), batch("a", "ao", "high-packets", 2.0),
+       batch("b", "primary", "balanced-watertight", 4.0),
+       batch("b", "primary", "high-packets", 8.0), batch("b", "random", "balanced-watertight", 6.0),
+       batch("b", "random", "high", 1.0), batch("alone", "ao", "balanced-watertight", 6.0)}));
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].title,
+            "how many times more rays planetree traces in batches than the best mode of embree3; "
+            "1 thread");
+  EXPECT_EQ(tables[0].header, (Row{"scene", "primary", "ao", "random", "all but primary"}));
   EXPECT_EQ(tables[0].rows,
-            (std::vector<Row>{
-                {"a", "2.0x", "1.5x"}, {"b", "4.0x", "-"}, {"geometric mean", "2.8x", "1.5x"}}));
+            (std::vector<Row>{{"a", "2.0x (high-packets)", "1.5x (high)", "-", "1.5x"},
+                              {"b", "0.50x (high-packets)", "-", "6.0x (high)", "6.0x"},
+                              {"geometric mean", "1.0x", "1.5x", "6.0x", "3.0x"},
+                              {"worst", "0.50x", "1.5x", "6.0x", "1.5x"}}));
+}
+
+TEST(Comparisons, TellHowMuchFasterMoreThreadsTraceBatches) {
+  const auto tables = comparisons(resultsOf({batch("a", "primary", "balanced-watertight", 10.0),
+                                             batch("a", "ao", "balanced-watertight", 10.0),
+                                             batch("b", "ao", "balanced-watertight", 10.0),
+                                             batch("a", "primary", "balanced-watertight", 20.0, 2),
+                                             batch("a", "ao", "balanced-watertight", 12.8, 2),
+                                             batch("b", "ao", "balanced-watertight", 10.0, 2)}));
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].title, "how many times faster 2 threads trace batches than 1");
+  EXPECT_EQ(
+      tables[0].rows,
+      (std::vector<Row>{
+          {"a", "1.6x"}, {"b", "1.0x"}, {"geometric mean", "1.3x"}, {"worst scene", "1.0x"}}));
+}
+
+TEST(Comparisons, TellWhatSmallBatchesTakeMoreThanTheirRays) {
+  const auto cell = [](const std::string& kind, const std::string& measure, double value) {
+    return Cell{.scene = "a",
+                .engine = "planetree",
+                .mode = "balanced-watertight",
+                .value = value,
+                .threadCount = 1,
+                .measure = measure,
+                .kind = kind};
+  };
+  const auto tables =
+      comparisons(resultsOf({cell("ao", "nanoseconds_one_by_one", 100.0),
+                             cell("ao", "nanoseconds_of_a_batch_of_1", 131.0),
+                             cell("ao", "nanoseconds_of_a_batch_of_8", 860.0),
+                             cell("ao", "nanoseconds_of_a_batch_of_64", 3200.0),
+                             cell("random", "nanoseconds_one_by_one", 200.0),
+                             cell("random", "nanoseconds_of_a_batch_of_1", 210.0)}));
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].header,
+            (Row{"scene, rays and mode", "one ray", "batch of 1", "batch of 8", "batch of 64"}));
+  EXPECT_EQ(tables[0].rows,
+            (std::vector<Row>{{"a ao balanced-watertight", "100", "31.0 of 30.0", "60.0 of 65.0",
+                               "-3200.0 of 345.0"},
+                              {"a random balanced-watertight", "200", "10.0 of 35.0", "-", "-"},
+                              {"as allowed", "", "1 of 2", "1 of 1", "1 of 1"}}));
 }
 
 TEST(Comparisons, TellWhatATriangleCostsInScenesOfEachSize) {

@@ -49,7 +49,8 @@ test::Lie missesEveryTenth() {
 }
 
 TEST(Measure, RefusesAnEngineThatLiesBeforeItIsTimed) {
-  for (const Measure measure : {Measure(&measureRays), Measure(&measureBuild)}) {
+  for (const Measure measure :
+       {Measure(&measureRays), Measure(&measureBatches), Measure(&measureBuild)}) {
     Recorded run;
     const EngineList engines = test::besideBroken(missesEveryTenth());
     EXPECT_THROW((void)measure(test::ballScene(), engines, run.settings), WrongAnswers);
@@ -227,6 +228,39 @@ TEST(Measure, StepsAreAtLeastTheRootAndAtMostAll) {
   const auto faceCount = static_cast<double>(scene.mesh.faces.size());
   EXPECT_LT(results[0].value, faceCount / 8.0);
   EXPECT_LT(results[1].value, faceCount / 8.0);
+}
+
+TEST(Measure, BatchesAreAMeasureOfTheirOwn) {
+  Recorded run;
+  run.settings.threadCount = 2;
+  const auto results =
+      measureBatches(makeScene("waves", test::waves()), test::besideBroken({}), run.settings);
+  ASSERT_EQ(results.size(), 8u) << "who has no batches is asked ray by ray";
+  for (const Result& result : results) {
+    EXPECT_EQ(result.measure, "batch_mrays_per_second");
+    EXPECT_EQ(result.threadCount, 2u);
+    EXPECT_GT(result.value, 0.0);
+  }
+}
+
+TEST(Measure, SmallBatchesStandBesideTheirRaysOneByOne) {
+  Recorded run;
+  run.settings.kinds = {RayKind::Random};
+  run.settings.threadCount = 2;
+  // The broken engine takes no batches.
+  const auto results = measureSmallBatches(test::ballScene(), test::besideBroken({}), run.settings);
+  std::vector<std::string> measures;
+  for (const Result& result : results) {
+    measures.push_back(result.measure);
+    EXPECT_EQ(result.engine, "planetree");
+    EXPECT_EQ(result.kind, "random");
+    EXPECT_EQ(result.threadCount, 1u) << "whatever the others use";
+    EXPECT_GT(result.value, 0.0);
+    EXPECT_TRUE(isOfSmallBatches(result.measure));
+  }
+  EXPECT_EQ(measures, (std::vector<std::string>{
+                          "nanoseconds_one_by_one", "nanoseconds_of_a_batch_of_1",
+                          "nanoseconds_of_a_batch_of_8", "nanoseconds_of_a_batch_of_64"}));
 }
 
 TEST(Measure, SaysWhyAKindHasNoRays) {

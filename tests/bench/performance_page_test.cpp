@@ -80,6 +80,28 @@ TEST(PerformanceFigures, HaveStepsInTablesOnly) {
   EXPECT_EQ(figures.plots.size(), 3u);
 }
 
+TEST(PerformanceFigures, ShowBatchesBesideTheBestOfARival) {
+  std::vector<Result> results = someResults();
+  const auto add = [&](const char* measure, const char* engine, const char* mode, double value) {
+    results.push_back({"a", measure, "ao", engine, mode, 2, value, true, "", ""});
+  };
+  add("batch_mrays_per_second", "planetree", "balanced-watertight", 6.0);
+  add("batch_mrays_per_second", "embree3", "medium-packets", 2.0);
+  add("batch_mrays_per_second", "embree3", "high-packets", 3.0);
+  add("nanoseconds_one_by_one", "planetree", "balanced-watertight", 100.0);
+  add("nanoseconds_of_a_batch_of_8", "planetree", "balanced-watertight", 810.0);
+  const auto figures = performanceFigures(results, "", "plots");
+  const std::string& text = figures.markdown;
+  EXPECT_TRUE(contains(text, "### Million rays per second in batches, more is better (2 threads)"));
+  EXPECT_TRUE(contains(text, "### How many times more rays planetree traces in batches than"));
+  EXPECT_TRUE(contains(text, "| a | 2.0x (high-packets) | 2.0x |")) << text;
+  EXPECT_TRUE(contains(text, "| a ao balanced-watertight | 100 | - | 10.0 of 65.0 | - |")) << text;
+  EXPECT_FALSE(contains(text, "nanoseconds_")) << "small batches are in one table";
+  ASSERT_EQ(figures.plots.size(), 4u);
+  EXPECT_TRUE(contains(text, "](plots/batch_mrays_per_second-ao-2.svg)"));
+  EXPECT_TRUE(contains(figures.plots.back().svg, ">embree3-packets, best<"));
+}
+
 TEST(PerformanceFigures, CompareAcrossThreadsAndSizes) {
   std::vector<Result> results = someResults();
   results.push_back(

@@ -95,6 +95,11 @@ TEST(RayKinds, PrimaryRaysAreThePixelsRowByRow) {
   EXPECT_NEAR(across(47) / dot(Vec3d(rays[47].direction), axes.forward), slope, 1e-6);
 }
 
+TEST(RayKinds, OnlyPrimaryRaysAreAPicture) {
+  for (const RaySet& set : ballRays())
+    EXPECT_EQ(set.pictureWidth, set.kind == RayKind::Primary ? 48u : 0u) << rayKindName(set.kind);
+}
+
 TEST(RayKinds, SecondaryRaysStartJustOffTheSurfaceTowardTheViewer) {
   const BenchScene scene = test::ballScene();
   const auto sets = ballRays();

@@ -1,5 +1,6 @@
 #include "bench/rivals/engines.hpp"
 #include "bench/support/answer_check.hpp"
+#include "bench/support/batches.hpp"
 
 #include "bench_meshes.hpp"
 
@@ -21,6 +22,8 @@ EngineList allEngines() {
     for (auto& engine : rival.engines())
       all.push_back(std::move(engine));
     for (auto& engine : rival.enginesByName ? rival.enginesByName() : EngineList{})
+      all.push_back(std::move(engine));
+    for (auto& engine : rival.enginesForBatches ? rival.enginesForBatches() : EngineList{})
       all.push_back(std::move(engine));
   }
   return all;
@@ -81,6 +84,70 @@ TEST(Rivals, AllGiveTheAnswersOfBruteForce) {
       }
     }
   }
+}
+
+TEST(Rivals, Embree3HasPacketsForBatchesFastAndRobust) {
+  const Rival& embree = rivals()[1];
+  if (!embree.engines)
+    GTEST_SKIP() << embree.package << " was not found";
+  std::set<std::string> modes;
+  for (const auto& engine : embree.enginesForBatches()) {
+    modes.insert(engine->mode());
+    EXPECT_EQ(engine->name(), "embree3");
+    EXPECT_FALSE(engine->isDefault());
+    EXPECT_FALSE(engine->takesShapes());
+  }
+  EXPECT_EQ(modes, (std::set<std::string>{"medium-packets", "high-packets", "medium-robust-packets",
+                                          "high-robust-packets"}));
+}
+
+Answers answersOfBatch(Batch& batch, const RaySet& set, unsigned threadCount) {
+  Answers answers = roomForAnswers(set);
+  batch.trace(threadCount);
+  batch.readAnswers(answers);
+  return answers;
+}
+
+TEST(Rivals, BatchesHaveTheAnswersOfSingleRays) {
+  const BenchScene scene = makeScene("waves", test::waves());
+  for (RaySet& set : raysOf(scene)) {
+    // Not whole packets; and a picture whose tiles are cut off at its edges.
+    set.rays.resize(set.rays.size() - 3);
+    for (const std::size_t width : {set.pictureWidth, std::size_t{31}}) {
+      set.pictureWidth = width;
+      for (const auto& engine : allEngines()) {
+        SCOPED_TRACE(engine->mode() + " " + std::string(rayKindName(set.kind)));
+        const auto structure = engine->build(scene.mesh, 2);
+        Answers single = roomForAnswers(set);
+        takeAnswers(*structure, set, 1, single);
+        const auto batch = allAtOnce(*structure, set);
+        const Answers first = answersOfBatch(*batch, set, 2);
+        const Disagreement found = compareAnswers(first, single, scene.diagonal);
+        EXPECT_LE(found.wrong(), engine->isExact() ? 0 : set.rays.size() / 200);
+        EXPECT_TRUE(!engine->isExact() || found.bitsDiffer == 0);
+        batch->reset();
+        EXPECT_EQ(answersOfBatch(*batch, set, 1), first) << "the second time";
+      }
+    }
+  }
+}
+
+TEST(Rivals, ThoseThatTakeBatchesTakeThemOfAnySize) {
+  const BenchScene scene = test::ballScene();
+  for (const RaySet& set : raysOf(scene)) {
+    for (const auto& engine : allEngines()) {
+      if (!engine->takesBatches())
+        continue;
+      const auto structure = engine->build(scene.mesh, 1);
+      const Answers single = answersOfBatch(*oneByOne(*structure, set), set, 1);
+      for (const std::size_t callSize : {1u, 8u, 64u, 5000u})
+        EXPECT_EQ(answersOfBatch(*structure->makeBatch(set, callSize), set, 1), single) << callSize;
+    }
+  }
+}
+
+TEST(Rivals, PlanetreeTakesBatches) {
+  EXPECT_TRUE(planetreeEngines().front()->takesBatches());
 }
 
 TEST(Rivals, AllWriteWeightsNormalAndIds) {
