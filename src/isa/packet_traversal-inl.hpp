@@ -8,6 +8,7 @@
 #define PLANETREE_PACKET_TRAVERSAL_INL
 #endif
 
+#include "isa/interleaved_search-inl.hpp"
 #include "isa/wide_traversal-inl.hpp"
 #include "traversal/ray_packet.hpp"
 
@@ -392,7 +393,8 @@ struct PacketHits {
 template <class Goal>
 class PacketSearch {
  public:
-  HWY_INLINE PacketSearch(const WideTree& tree, RayPacket& packet) : tree_(tree), packet_(packet) {
+  HWY_INLINE PacketSearch(const WideTree& tree, RayPacket& packet)
+      : tree_(tree), packet_(packet), interleaved_(tree) {
     packet_.hits = 0;
     packet_.flatHits = 0;
     const WordTag words;
@@ -410,7 +412,7 @@ class PacketSearch {
       if (sizeOf(together) >= kFewestInPacket && searchTogether(together))
         asked &= ~together;
     }
-    searchOneByOne(tree_.root, asked);
+    searchInTurns(asked);
     if constexpr (!Goal::kStopsAtAnyHit)
       finish();
   }
@@ -673,15 +675,24 @@ class PacketSearch {
     }
   }
 
-  HWY_NOINLINE void searchAlone(WideChild child, std::size_t ray) {
-    WideQuery& query = queryOf(ray);
-    query.hitT = packet_.hitT[ray];
-    query.hitObject = packet_.hitObject[ray];
-    progress_.size = 0;
-    progress_.found = false;
-    progress_.restCount = 0;
-    if (!searchBelow<Goal>(query, progress_, child))
-      return;
+  HWY_NOINLINE void searchInTurns(std::uint32_t rays) {
+    const auto next = [&]() -> WideQuery* {
+      if (rays == 0)
+        return nullptr;
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rays);
+      rays &= rays - 1;
+      return &queryOf(ray);
+    };
+    const auto finishOne = [&](WideQuery& query, bool found) {
+      const auto ray = static_cast<std::size_t>(reinterpret_cast<std::byte*>(&query) - queries_) /
+                       sizeof(WideQuery);
+      if (found)
+        takeOver(query, ray);
+    };
+    interleaved_.run(next, finishOne);
+  }
+
+  HWY_INLINE void takeOver(const WideQuery& query, std::size_t ray) {
     packet_.hits |= 1u << ray;
     if constexpr (Goal::kStopsAtAnyHit) {
       alive_ &= ~(1u << ray);
@@ -694,6 +705,17 @@ class PacketSearch {
       for (std::size_t corner = 0; corner < 3; ++corner)
         hits_.weights[corner][ray] = query.hitWeights[corner];
     }
+  }
+
+  HWY_NOINLINE void searchAlone(WideChild child, std::size_t ray) {
+    WideQuery& query = queryOf(ray);
+    query.hitT = packet_.hitT[ray];
+    query.hitObject = packet_.hitObject[ray];
+    progress_.size = 0;
+    progress_.found = false;
+    progress_.restCount = 0;
+    if (searchBelow<Goal>(query, progress_, child))
+      takeOver(query, ray);
   }
 
   HWY_INLINE WideQuery& queryOf(std::size_t ray) {
@@ -784,6 +806,7 @@ class PacketSearch {
   PacketHits hits_;
   Corner corners_[TriangleBlock::kPositionCount];  ///< of a block
   Progress progress_;
+  InterleavedSearch<Goal> interleaved_;
   alignas(WideQuery) std::byte queries_[kLaneCount * sizeof(WideQuery)];
 };
 

@@ -1,0 +1,169 @@
+// Rays that have little in common, each on its own way through the wide form of a tree, in turns.
+// Compiled once for each instruction set; hence no include guard but the one of Highway.
+
+#if defined(PLANETREE_INTERLEAVED_SEARCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLANETREE_INTERLEAVED_SEARCH_INL
+#undef PLANETREE_INTERLEAVED_SEARCH_INL
+#else
+#define PLANETREE_INTERLEAVED_SEARCH_INL
+#endif
+
+#include "isa/wide_traversal-inl.hpp"
+
+#include <hwy/highway.h>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace planetree::detail::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Searches with several prepared rays at a time. Each step of a ray waits for the one before, and
+/// for memory; those of different rays do not wait for each other. As many steps to nodes as
+/// possible are made one behind the other, without a branch that depends on what they find.
+template <class Goal>
+class InterleavedSearch {
+ public:
+  static constexpr std::size_t kMostRays = 8;
+
+  explicit HWY_INLINE InterleavedSearch(const WideTree& tree) : tree_(tree) {}
+
+  /// `next()` gives the next query, or null if there is none left; `finish(query, found)` is told
+  /// when one is answered.
+  template <class Next, class Finish>
+  HWY_INLINE void run(const Next& next, const Finish& finish) {
+    std::uint8_t atNodes[kMostRays];
+    std::uint8_t atLeaves[2 * kMostRays];
+    std::size_t nodeCount = 0;
+    std::size_t leafCount = 0;
+    for (std::size_t i = 0; i < kMostRays; ++i) {
+      WideQuery* const query = next();
+      if (query == nullptr)
+        break;
+      start(walkers_[i], *query);
+      (walkers_[i].child.isNode() ? atNodes[nodeCount++] : atLeaves[leafCount++]) =
+          static_cast<std::uint8_t>(i);
+    }
+    while (nodeCount + leafCount > 0) {
+      // While most rays are at nodes.
+      while (nodeCount > leafCount) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < nodeCount; ++i) {
+          const std::uint8_t index = atNodes[i];
+          const bool isNode = step(walkers_[index]);
+          atNodes[kept] = index;
+          atLeaves[leafCount] = index;
+          kept += isNode ? 1u : 0u;
+          leafCount += isNode ? 0u : 1u;
+        }
+        nodeCount = kept;
+      }
+      for (std::size_t i = 0; i < leafCount; ++i) {
+        const std::uint8_t index = atLeaves[i];
+        Walker& walker = walkers_[index];
+        if (visitLeaves(walker)) {
+          finish(*walker.query, walker.found);
+          WideQuery* const query = next();
+          if (query == nullptr)
+            continue;
+          start(walker, *query);
+        }
+        atNodes[nodeCount++] = index;
+      }
+      leafCount = 0;
+    }
+  }
+
+ private:
+  struct Walker {
+    WideQuery* query;
+    std::size_t size;
+    WideChild child;
+    bool found;
+    Stack stack;
+    ShearedBlock sheared;
+  };
+
+  HWY_INLINE void start(Walker& walker, WideQuery& query) {
+    walker.query = &query;
+    walker.found = false;
+    walker.stack.tNear[0] = -std::numeric_limits<float>::infinity();
+    walker.stack.children[0] = WideChild::end().word();
+    walker.size = 1;
+    walker.child = tree_.root;
+  }
+
+  /// From a node to the next child; whether that is a node.
+  HWY_INLINE bool step(Walker& walker) {
+    const WideQuery& query = *walker.query;
+    Stack& stack = walker.stack;
+    const WideRay ray(query);
+    const WideNode& node = tree_.nodes[walker.child.nodeIndex()];
+    std::size_t size = walker.size;
+    const std::uint32_t below = stack.children[size - 1];
+    BoxTest test;
+    ray.test(node, hn::Set(FloatTag(), query.hitT), test);
+    walker.child = WideChild::fromWord(
+        Goal::kStopsAtAnyHit ? pushUnordered(node, test, below, stack, size)
+                             : pushNearestLast(node, query.octant, test, below, stack, size));
+    walker.size = size - 1;
+    prefetch(walker.child, query.octant);
+    return walker.child.isNode();
+  }
+
+  /// Fetches what the ray looks at when it is its turn again.
+  HWY_INLINE void prefetch(WideChild child, std::uint32_t octant) const {
+    if (child.isNode()) {
+      prefetchNext(tree_.nodes.data(), octant, child);
+    } else {
+      const std::uint32_t first = child.isObject() ? 0u : child.firstBlock();
+      const auto* const block = reinterpret_cast<const char*>(tree_.blocks.data() + first);
+      for (std::size_t line = 0; line < 4; ++line)
+        hwy::Prefetch(block + 64 * line);
+    }
+  }
+
+  /// Tests blocks until the next child is a node; true if the query is answered.
+  HWY_INLINE bool visitLeaves(Walker& walker) {
+    WideQuery& query = *walker.query;
+    Stack& stack = walker.stack;
+    WideChild child = walker.child;
+    while (!child.isNode()) {
+      if (child.isObject())
+        return true;
+      const TriangleBlock* const first = tree_.blocks.data() + child.firstBlock();
+      for (const TriangleBlock* block = first; block < first + child.blockCount(); ++block) {
+        const BlockRay blockRay(query);
+        const auto answer = blockRay.template test<Goal>(*block, walker.sheared);
+        if (Goal::kStopsAtAnyHit && answer.certain != 0) {
+          walker.found = true;
+          return true;
+        }
+        std::uint32_t lanes = answer.candidates;
+        if (lanes != 0 && !Goal::kStopsAtAnyHit)
+          lanes &= ~lanesOf(*block, query.hitObject);
+        if (lanes == 0)
+          continue;
+        const float end = query.hitT;
+        walker.found |= testCandidates<Goal>(query, *block, walker.sheared, lanes);
+        if (Goal::kStopsAtAnyHit && walker.found)
+          return true;
+        if (query.hitT < end)
+          walker.size = dropBeyond(query.hitT, stack, walker.size);
+      }
+      child = WideChild::fromWord(stack.children[--walker.size]);
+    }
+    walker.child = child;
+    return false;
+  }
+
+  const WideTree& tree_;
+  Walker walkers_[kMostRays];
+};
+
+}  // namespace planetree::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
