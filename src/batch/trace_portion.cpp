@@ -8,20 +8,12 @@
 #include "traversal/ray_packet.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <type_traits>
 
 namespace planetree::detail {
 namespace {
 
 constexpr std::size_t kRayCount = RayPacket::kRayCount;
-
-/// Calls `visit` for each member of a set.
-template <class Visit>
-void forEachIn(std::uint32_t set, const Visit& visit) {
-  for (; set != 0; set &= set - 1)
-    visit(static_cast<std::size_t>(std::countr_zero(set)));
-}
 
 void fill(const RayColumns<float>& rays, const PacketOrder::Place& place,
           RayPacket& packet) noexcept {
@@ -90,23 +82,17 @@ std::size_t PortionTracer<T>::findNearest(std::size_t begin, std::size_t end,
     hits.write(ray, hit.value_or(Hit<T>{}));
     hitCount += hit ? 1u : 0u;
   };
-  for (; begin < end; ++begin) {
-    const PacketOrder::Place place = order_[begin];
-    if constexpr (std::is_same_v<T, float>) {
-      if (kernels_ != nullptr) {
-        RayPacket packet;
-        fill(rays_, place, packet);
-        kernels_->findNearestOfPacket(*tree_.wide, packet);
-        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(place.rays[i]); });
-        forEachIn(packet.rays & ~packet.unanswered,
-                  [&](std::size_t i) { hits.write(place.rays[i], hitOf(tree_, packet, i)); });
-        hitCount += static_cast<std::size_t>(std::popcount(packet.hits));
-        continue;
-      }
+  if constexpr (std::is_same_v<T, float>) {
+    if (kernels_ != nullptr) {
+      traceGroups(begin, end, kernels_->findNearestOfPackets, traceAlone,
+                  [&](std::size_t ray, const RayPacket& packet, std::size_t i) {
+                    hits.write(ray, hitOf(tree_, packet, i));
+                    hitCount += packet.hits >> i & 1u;
+                  });
+      return hitCount;
     }
-    for (std::size_t i = 0; i < place.count; ++i)
-      traceAlone(place.rays[i]);
   }
+  forEachRay(begin, end, traceAlone);
   return hitCount;
 }
 
@@ -121,23 +107,55 @@ std::size_t PortionTracer<T>::findAny(std::size_t begin, std::size_t end,
   const auto traceAlone = [&](std::size_t ray) {
     write(ray, isOccluded(tree_, rays_[ray], options_));
   };
+  if constexpr (std::is_same_v<T, float>) {
+    if (kernels_ != nullptr) {
+      traceGroups(begin, end, kernels_->findAnyOfPackets, traceAlone,
+                  [&](std::size_t ray, const RayPacket& packet, std::size_t i) {
+                    write(ray, (packet.hits >> i & 1u) != 0);
+                  });
+      return hitCount;
+    }
+  }
+  forEachRay(begin, end, traceAlone);
+  return hitCount;
+}
+
+template <class T>
+template <class Visit>
+void PortionTracer<T>::forEachRay(std::size_t begin, std::size_t end, const Visit& visit) const {
   for (; begin < end; ++begin) {
     const PacketOrder::Place place = order_[begin];
-    if constexpr (std::is_same_v<T, float>) {
-      if (kernels_ != nullptr) {
-        RayPacket packet;
-        fill(rays_, place, packet);
-        kernels_->findAnyOfPacket(*tree_.wide, packet);
-        forEachIn(packet.unanswered, [&](std::size_t i) { traceAlone(place.rays[i]); });
-        forEachIn(packet.rays & ~packet.unanswered,
-                  [&](std::size_t i) { write(place.rays[i], (packet.hits >> i & 1u) != 0); });
-        continue;
-      }
-    }
     for (std::size_t i = 0; i < place.count; ++i)
-      traceAlone(place.rays[i]);
+      visit(place.rays[i]);
   }
-  return hitCount;
+}
+
+template <class T>
+template <class TraceAlone, class Write>
+void PortionTracer<T>::traceGroups(std::size_t begin, std::size_t end, SearchPackets search,
+                                   const TraceAlone& traceAlone, const Write& write) const {
+  if constexpr (std::is_same_v<T, float>) {
+    RayPacket packets[RayPacket::kGroupSize];
+    PacketOrder::Place places[RayPacket::kGroupSize];
+    while (begin < end) {
+      const std::size_t count = std::min(RayPacket::kGroupSize, end - begin);
+      for (std::size_t i = 0; i < count; ++i) {
+        places[i] = order_[begin + i];
+        fill(rays_, places[i], packets[i]);
+      }
+      search(*tree_.wide, packets, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const RayPacket& packet = packets[i];
+        for (std::size_t k = 0; k < places[i].count; ++k) {
+          if ((packet.unanswered >> k & 1u) != 0)
+            traceAlone(places[i].rays[k]);
+          else
+            write(places[i].rays[k], packet, k);
+        }
+      }
+      begin += count;
+    }
+  }
 }
 
 template class PortionTracer<float>;

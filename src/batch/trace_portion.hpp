@@ -32,6 +32,15 @@ class PortionTracer {
                       std::span<std::uint8_t> flags) const noexcept;
 
  private:
+  using SearchPackets = decltype(Kernels::findNearestOfPackets);
+
+  template <class Visit>
+  void forEachRay(std::size_t begin, std::size_t end, const Visit& visit) const;
+  /// Rays of packets that `search` leaves unanswered go to `traceAlone`, the others to `write`.
+  template <class TraceAlone, class Write>
+  void traceGroups(std::size_t begin, std::size_t end, SearchPackets search,
+                   const TraceAlone& traceAlone, const Write& write) const;
+
   const TreeView<T>& tree_;
   const RayColumns<T>& rays_;
   PacketOrder order_;

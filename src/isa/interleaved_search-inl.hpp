@@ -26,7 +26,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class Goal>
 class InterleavedSearch {
  public:
-  static constexpr std::size_t kMostRays = 8;
+  static constexpr std::size_t kMostRays = 16;
 
   explicit HWY_INLINE InterleavedSearch(const WideTree& tree) : tree_(tree) {}
 

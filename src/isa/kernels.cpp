@@ -27,8 +27,8 @@ constexpr Kernels kernelsNamed(std::string_view name) {
           .handOverForAny = search<AnyHandedOver>,
           .countNearest = count<NearestCounted>,
           .countAny = count<AnyCounted>,
-          .findNearestOfPacket = searchPacket<Nearest>,
-          .findAnyOfPacket = searchPacket<Any>,
+          .findNearestOfPackets = searchPackets<Nearest>,
+          .findAnyOfPackets = searchPackets<Any>,
           .countEnds = countEnds};
 }
 

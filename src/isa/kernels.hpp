@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -26,10 +27,11 @@ struct Kernels {
   /// `findNearest` and `findAny` with the steps they take, which are added.
   bool (*countNearest)(WideQuery& query, WideSteps& steps) noexcept;
   bool (*countAny)(WideQuery& query, WideSteps& steps) noexcept;
-  /// `findNearest` and `findAny` for all rays of a packet, in a tree of triangles alone. Those that
-  /// go another way than most are left unanswered.
-  void (*findNearestOfPacket)(const WideTree& tree, RayPacket& packet) noexcept;
-  void (*findAnyOfPacket)(const WideTree& tree, RayPacket& packet) noexcept;
+  /// `findNearest` and `findAny` for all rays of up to `RayPacket::kGroupSize` packets, in a tree
+  /// of triangles alone. Rays whose numbers are out of range are left unanswered.
+  void (*findNearestOfPackets)(const WideTree& tree, RayPacket* packets,
+                               std::size_t count) noexcept;
+  void (*findAnyOfPackets)(const WideTree& tree, RayPacket* packets, std::size_t count) noexcept;
   /// Counts the ends of boxes by bins.
   void (*countEnds)(const EndCounting& counting) noexcept;
 };

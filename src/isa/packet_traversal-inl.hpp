@@ -389,39 +389,152 @@ struct PacketHits {
   HWY_ALIGN double weights[3][kLaneCount];
 };
 
-/// Answers a packet: rays that go the same way together, the others one by one.
+/// A corner as each ray sees it.
+struct PacketCorner {
+  RayNumbers x, y, z;
+};
+
+/// Room that one packet after the other uses.
+struct PacketRoom {
+  PacketStack stack;
+  PacketCorner corners[TriangleBlock::kPositionCount];  ///< of a block
+  Progress progress;
+};
+
+/// A ray of a packet on its own.
+struct OwnQuery : WideQuery {
+  using WideQuery::WideQuery;
+
+  std::size_t packet;
+  std::size_t ray;
+};
+
+/// Answers a packet: rays that go the same way together, the others each on its own.
 template <class Goal>
 class PacketSearch {
  public:
-  HWY_INLINE PacketSearch(const WideTree& tree, RayPacket& packet)
-      : tree_(tree), packet_(packet), interleaved_(tree) {
-    packet_.hits = 0;
-    packet_.flatHits = 0;
+  /// With what else must outlive it. Returns the rays that are left for `queryOf`.
+  HWY_INLINE std::uint32_t begin(const WideTree& tree, RayPacket& packet, std::size_t packetIndex,
+                                 PacketRoom& room) {
+    tree_ = &tree;
+    packet_ = &packet;
+    packetIndex_ = packetIndex;
+    room_ = &room;
+    prepared_ = 0;
+    packet.hits = 0;
+    packet.flatHits = 0;
     const WordTag words;
     forEachVector([&](auto i) {
-      hn::Store(hn::Set(words, 0xFFFF'FFFFu), words, packet_.hitObject + i * kLanesPerVector);
+      hn::Store(hn::Set(words, 0xFFFF'FFFFu), words, packet.hitObject + i * kLanesPerVector);
       hn::Store(hn::Zero(words), words, hits_.block + i * kLanesPerVector);
       hn::Store(hn::Zero(words), words, hits_.lane + i * kLanesPerVector);
     });
+    const std::uint32_t asked = preparePacket(tree, packet, rays_);
+    if (asked == 0)
+      return 0;
+    const std::uint32_t together = findLikeFirst(rays_, asked);
+    const bool areTogether = sizeOf(together) >= kFewestInPacket && searchTogether(together);
+    return areTogether ? asked & ~together : asked;
   }
 
-  HWY_INLINE void run() {
-    std::uint32_t asked = preparePacket(tree_, packet_, rays_);
-    if (asked != 0) {
-      const std::uint32_t together = findLikeFirst(rays_, asked);
-      if (sizeOf(together) >= kFewestInPacket && searchTogether(together))
-        asked &= ~together;
+  /// A query of a ray that is prepared.
+  HWY_INLINE OwnQuery& queryOf(std::size_t ray) {
+    void* const place = queries_ + ray * sizeof(OwnQuery);
+    if ((prepared_ >> ray & 1u) != 0)
+      return *std::launder(static_cast<OwnQuery*>(place));
+    prepared_ |= 1u << ray;
+    auto* const query =
+        new (place) OwnQuery(*tree_, kNoTests, packet_->tMin[ray], packet_->hitT[ray]);
+    query->packet = packetIndex_;
+    query->ray = ray;
+    setAxes(rays_.mainAxisOf(ray), query->axes);
+    for (std::size_t k = 0; k < 3; ++k) {
+      query->origin[k] = rays_.origin[k].of[ray];
+      query->inverse[k] = rays_.inverse[k].of[ray];
+      query->nearOffset[k] = rays_.nearOffset[k].of[ray];
+      query->farOffset[k] = rays_.farOffset[k].of[ray];
     }
-    searchInTurns(asked);
-    if constexpr (!Goal::kStopsAtAnyHit)
-      finish();
+    query->shear[0] = rays_.shear[0].of[ray];
+    query->shear[1] = rays_.shear[1].of[ray];
+    query->directionZ = rays_.directionZ.of[ray];
+    query->depthPerT = rays_.depthPerT.of[ray];
+    query->depthPerZ = rays_.depthPerZ.of[ray];
+    query->reach = rays_.reach.of[ray];
+    query->octant = rays_.octantOf(ray);
+    return *query;
+  }
+
+  /// What such a query found.
+  HWY_INLINE void takeOver(const WideQuery& query, std::size_t ray) {
+    packet_->hits |= 1u << ray;
+    if constexpr (Goal::kStopsAtAnyHit) {
+      alive_ &= ~(1u << ray);
+    } else {
+      packet_->hitT[ray] = query.hitT;
+      tMaxIsOld_ = true;
+      packet_->hitObject[ray] = query.hitObject;
+      hits_.block[ray] = static_cast<std::uint32_t>(query.hitBlock - tree_->blocks.data());
+      hits_.lane[ray] = query.hitLane;
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        hits_.weights[corner][ray] = query.hitWeights[corner];
+    }
+  }
+
+  /// Weights and normals of the best hits, rounded as for a single ray.
+  HWY_INLINE void finish() {
+    const DoubleTag d;
+    const NarrowTag narrow;
+    if (packet_->hits == 0)
+      return;
+    // Of rays without a hit those of some triangle: nobody looks at what comes of it.
+    HWY_ALIGN float corners[9][kLaneCount];
+    for (std::size_t ray = 0; ray < kLaneCount; ++ray) {
+      const TriangleBlock& block = tree_->blocks[hits_.block[ray]];
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::size_t position = block.corners[corner][hits_.lane[ray]];
+        for (std::size_t a = 0; a < 3; ++a)
+          corners[3 * corner + a][ray] = block.positions[a][position];
+      }
+    }
+    std::uint32_t isFlat = 0;
+    for (std::size_t at = 0; at < kLaneCount; at += kDoublesPerVector) {
+      const Doubles u = hn::Load(d, hits_.weights[0] + at);
+      const Doubles v = hn::Load(d, hits_.weights[1] + at);
+      const Doubles w = hn::Load(d, hits_.weights[2] + at);
+      const Doubles sum = hn::Add(hn::Add(u, v), w);
+      hn::Store(hn::DemoteTo(narrow, hn::Div(v, sum)), narrow, packet_->u + at);
+      hn::Store(hn::DemoteTo(narrow, hn::Div(w, sum)), narrow, packet_->v + at);
+
+      const auto side = [&](std::size_t corner, std::size_t a) {
+        const auto wide = [&](std::size_t i) {
+          return hn::PromoteTo(d, hn::Load(narrow, corners[i] + at));
+        };
+        return hn::Sub(wide(3 * corner + a), wide(a));
+      };
+      const Doubles px = side(1, 0), py = side(1, 1), pz = side(1, 2);
+      const Doubles qx = side(2, 0), qy = side(2, 1), qz = side(2, 2);
+      const Doubles nx = hn::Sub(hn::Mul(py, qz), hn::Mul(pz, qy));
+      const Doubles ny = hn::Sub(hn::Mul(pz, qx), hn::Mul(px, qz));
+      const Doubles nz = hn::Sub(hn::Mul(px, qy), hn::Mul(py, qx));
+      const Doubles zero = hn::Zero(d);
+      isFlat |=
+          setOf(d, hn::And(hn::And(hn::Eq(nx, zero), hn::Eq(ny, zero)), hn::Eq(nz, zero)), at);
+      const Doubles square = hn::Add(hn::Add(hn::Mul(nx, nx), hn::Mul(ny, ny)), hn::Mul(nz, nz));
+      const Doubles scale = hn::Div(hn::Set(d, 1.0), hn::Sqrt(square));
+      hn::Store(hn::DemoteTo(narrow, hn::Mul(nx, scale)), narrow, packet_->normal[0] + at);
+      hn::Store(hn::DemoteTo(narrow, hn::Mul(ny, scale)), narrow, packet_->normal[1] + at);
+      hn::Store(hn::DemoteTo(narrow, hn::Mul(nz, scale)), narrow, packet_->normal[2] + at);
+    }
+    packet_->flatHits = isFlat & packet_->hits;
   }
 
  private:
+  static constexpr WideTests kNoTests = {};
+
   HWY_INLINE const RayNumbers& tMin() const {
-    return reinterpret_cast<const RayNumbers&>(packet_.tMin);
+    return reinterpret_cast<const RayNumbers&>(packet_->tMin);
   }
-  HWY_INLINE RayNumbers& hitT() { return reinterpret_cast<RayNumbers&>(packet_.hitT); }
+  HWY_INLINE RayNumbers& hitT() { return reinterpret_cast<RayNumbers&>(packet_->hitT); }
 
   /// False if they go apart too far.
   HWY_INLINE bool searchTogether(std::uint32_t together) {
@@ -433,18 +546,20 @@ class PacketSearch {
       return false;
     const RayBundle bundle(rays_, tMin(), octant_, together);
     alive_ = together;
+    size_ = 0;
     tMaxIsOld_ = true;
-    push(tree_.root, together, tMin());
+    push(tree_->root, together, tMin());
     while (size_ > 0) {
       --size_;
-      const WideChild child = WideChild::fromWord(stack_.children[size_]);
-      const std::uint32_t rays = stack_.rays[size_] & alive_ & notBehind(stack_.tNear[size_]);
+      const WideChild child = WideChild::fromWord(room_->stack.children[size_]);
+      const std::uint32_t rays =
+          room_->stack.rays[size_] & alive_ & notBehind(room_->stack.tNear[size_]);
       if (rays == 0)
         continue;
       if (sizeOf(rays) <= kMostOnTheirOwn)
         searchOneByOne(child, rays);
       else if (child.isNode())
-        visitNode(tree_.nodes[child.nodeIndex()], bundle, rays);
+        visitNode(tree_->nodes[child.nodeIndex()], bundle, rays);
       else
         visitBlocks(child, sheared, rays);
       if (Goal::kStopsAtAnyHit && alive_ == 0)
@@ -460,9 +575,9 @@ class PacketSearch {
   }
 
   HWY_INLINE void push(WideChild child, std::uint32_t rays, const RayNumbers& tNear) {
-    stack_.children[size_] = child.word();
-    stack_.rays[size_] = rays;
-    stack_.tNear[size_++] = tNear;
+    room_->stack.children[size_] = child.word();
+    room_->stack.rays[size_] = rays;
+    room_->stack.tNear[size_++] = tNear;
   }
 
   HWY_INLINE std::uint32_t notBehind(const RayNumbers& tNear) {
@@ -495,18 +610,18 @@ class PacketSearch {
           hn::Max(hn::Max(along(0, 0), along(1, 0)), hn::Max(along(2, 0), tMin()[i]));
       const Floats tFar =
           hn::Min(hn::Min(along(0, 1), along(1, 1)), hn::Min(along(2, 1), hitT()[i]));
-      stack_.tNear[size_].put(i, tNear);
+      room_->stack.tNear[size_].put(i, tNear);
       isMet[i] = hn::Le(tNear, tFar);
     });
-    stack_.children[size_] = childWords(node)[slot];
-    stack_.rays[size_] = bitsOf(isMet) & rays;
-    size_ += stack_.rays[size_] != 0 ? 1u : 0u;
+    room_->stack.children[size_] = childWords(node)[slot];
+    room_->stack.rays[size_] = bitsOf(isMet) & rays;
+    size_ += room_->stack.rays[size_] != 0 ? 1u : 0u;
   }
 
   HWY_INLINE void visitBlocks(WideChild child, const ShearedBundle& sheared, std::uint32_t rays) {
     const std::uint32_t end = child.firstBlock() + child.blockCount();
     for (std::uint32_t index = child.firstBlock(); index < end; ++index) {
-      const TriangleBlock& block = tree_.blocks[index];
+      const TriangleBlock& block = tree_->blocks[index];
       std::uint32_t known = 0;  // corners that have been sheared
       for (std::uint32_t lanes = sheared.findMet(block); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
@@ -526,14 +641,9 @@ class PacketSearch {
     }
   }
 
-  /// A corner as each ray sees it.
-  struct Corner {
-    RayNumbers x, y, z;
-  };
-
   HWY_INLINE void shear(const TriangleBlock& block, std::size_t position) {
     const FloatTag d;
-    Corner& corner = corners_[position];
+    PacketCorner& corner = room_->corners[position];
     forEachVector([&](auto i) {
       const auto fromOrigin = [&](std::size_t k) {
         return hn::Sub(hn::Set(d, block.positions[axes_[k]][position]), rays_.origin[k][i]);
@@ -549,9 +659,9 @@ class PacketSearch {
   HWY_INLINE void testTriangle(const TriangleBlock& block, std::uint32_t index, std::uint32_t lane,
                                std::uint32_t rays) {
     const FloatTag d;
-    const Corner& a = corners_[block.corners[0][lane]];
-    const Corner& b = corners_[block.corners[1][lane]];
-    const Corner& c = corners_[block.corners[2][lane]];
+    const PacketCorner& a = room_->corners[block.corners[0][lane]];
+    const PacketCorner& b = room_->corners[block.corners[1][lane]];
+    const PacketCorner& c = room_->corners[block.corners[2][lane]];
     Mask isCandidate[kVectorCount];
     forEachVector([&](auto i) {
       const Floats u = hn::Sub(hn::Mul(c.x[i], b.y[i]), hn::Mul(c.y[i], b.x[i]));
@@ -567,8 +677,9 @@ class PacketSearch {
   }
 
   /// As `acceptTriangle`, for the rays of a set.
-  HWY_INLINE void decide(const Corner& a, const Corner& b, const Corner& c, std::uint32_t object,
-                         std::uint32_t block, std::uint32_t lane, std::uint32_t rays) {
+  HWY_INLINE void decide(const PacketCorner& a, const PacketCorner& b, const PacketCorner& c,
+                         std::uint32_t object, std::uint32_t block, std::uint32_t lane,
+                         std::uint32_t rays) {
     const FloatTag d;
     const WordTag words;
     std::uint32_t accepted = 0;
@@ -583,7 +694,7 @@ class PacketSearch {
       // With a NaN nothing is accepted.
       const Floats nearest = joined(t);
       const Floats best = hitT()[i];
-      const Words bestObject = hn::Load(words, packet_.hitObject + at);
+      const Words bestObject = hn::Load(words, packet_->hitObject + at);
       const Mask isLower = hn::RebindMask(d, hn::Lt(hn::Set(words, object), bestObject));
       const Mask isBetter = hn::Or(hn::Lt(nearest, best), hn::And(hn::Eq(nearest, best), isLower));
       const Mask isAccepted =
@@ -598,7 +709,7 @@ class PacketSearch {
           hn::Store(hn::IfThenElse(areAccepted, hn::Set(words, word), hn::Load(words, to + at)),
                     words, to + at);
         };
-        write(object, packet_.hitObject);
+        write(object, packet_->hitObject);
         write(block, hits_.block);
         write(lane, hits_.lane);
         for (std::size_t part = 0; part < kPartCount; ++part) {
@@ -611,7 +722,7 @@ class PacketSearch {
         }
       }
     });
-    packet_.hits |= accepted;
+    packet_->hits |= accepted;
     if constexpr (Goal::kStopsAtAnyHit)
       alive_ &= ~accepted;
     else
@@ -620,8 +731,8 @@ class PacketSearch {
 
   /// Where rays meet the plane of a triangle, as many rays from this one on as there are doubles in
   /// a vector, and the weights of the corners there; NaN for those that miss it.
-  HWY_INLINE Narrow intersect(const Corner& a, const Corner& b, const Corner& c, std::size_t from,
-                              Doubles& u, Doubles& v, Doubles& w) const {
+  HWY_INLINE Narrow intersect(const PacketCorner& a, const PacketCorner& b, const PacketCorner& c,
+                              std::size_t from, Doubles& u, Doubles& v, Doubles& w) const {
     const DoubleTag d;
     const NarrowTag narrow;
     const auto wide = [&](const RayNumbers& numbers) {
@@ -666,8 +777,6 @@ class PacketSearch {
 
   // --- rays on their own ---
 
-  static constexpr WideTests kNoTests = {};
-
   void searchOneByOne(WideChild child, std::uint32_t rays) {
     for (; rays != 0; rays &= rays - 1) {
       const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rays);
@@ -675,144 +784,62 @@ class PacketSearch {
     }
   }
 
-  HWY_NOINLINE void searchInTurns(std::uint32_t rays) {
-    const auto next = [&]() -> WideQuery* {
-      if (rays == 0)
-        return nullptr;
-      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rays);
-      rays &= rays - 1;
-      return &queryOf(ray);
-    };
-    const auto finishOne = [&](WideQuery& query, bool found) {
-      const auto ray = static_cast<std::size_t>(reinterpret_cast<std::byte*>(&query) - queries_) /
-                       sizeof(WideQuery);
-      if (found)
-        takeOver(query, ray);
-    };
-    interleaved_.run(next, finishOne);
-  }
-
-  HWY_INLINE void takeOver(const WideQuery& query, std::size_t ray) {
-    packet_.hits |= 1u << ray;
-    if constexpr (Goal::kStopsAtAnyHit) {
-      alive_ &= ~(1u << ray);
-    } else {
-      packet_.hitT[ray] = query.hitT;
-      tMaxIsOld_ = true;
-      packet_.hitObject[ray] = query.hitObject;
-      hits_.block[ray] = static_cast<std::uint32_t>(query.hitBlock - tree_.blocks.data());
-      hits_.lane[ray] = query.hitLane;
-      for (std::size_t corner = 0; corner < 3; ++corner)
-        hits_.weights[corner][ray] = query.hitWeights[corner];
-    }
-  }
-
   HWY_NOINLINE void searchAlone(WideChild child, std::size_t ray) {
     WideQuery& query = queryOf(ray);
-    query.hitT = packet_.hitT[ray];
-    query.hitObject = packet_.hitObject[ray];
-    progress_.size = 0;
-    progress_.found = false;
-    progress_.restCount = 0;
-    if (searchBelow<Goal>(query, progress_, child))
+    query.hitT = packet_->hitT[ray];
+    query.hitObject = packet_->hitObject[ray];
+    room_->progress.size = 0;
+    room_->progress.found = false;
+    room_->progress.restCount = 0;
+    if (searchBelow<Goal>(query, room_->progress, child))
       takeOver(query, ray);
   }
 
-  HWY_INLINE WideQuery& queryOf(std::size_t ray) {
-    void* const place = queries_ + ray * sizeof(WideQuery);
-    if ((prepared_ >> ray & 1u) != 0)
-      return *std::launder(static_cast<WideQuery*>(place));
-    prepared_ |= 1u << ray;
-    auto* const query =
-        new (place) WideQuery(tree_, kNoTests, packet_.tMin[ray], packet_.hitT[ray]);
-    setAxes(rays_.mainAxisOf(ray), query->axes);
-    for (std::size_t k = 0; k < 3; ++k) {
-      query->origin[k] = rays_.origin[k].of[ray];
-      query->inverse[k] = rays_.inverse[k].of[ray];
-      query->nearOffset[k] = rays_.nearOffset[k].of[ray];
-      query->farOffset[k] = rays_.farOffset[k].of[ray];
-    }
-    query->shear[0] = rays_.shear[0].of[ray];
-    query->shear[1] = rays_.shear[1].of[ray];
-    query->directionZ = rays_.directionZ.of[ray];
-    query->depthPerT = rays_.depthPerT.of[ray];
-    query->depthPerZ = rays_.depthPerZ.of[ray];
-    query->reach = rays_.reach.of[ray];
-    query->octant = rays_.octantOf(ray);
-    return *query;
-  }
-
-  // --- the end ---
-
-  /// Weights and normals of the best hits, rounded as for a single ray.
-  HWY_INLINE void finish() {
-    const DoubleTag d;
-    const NarrowTag narrow;
-    if (packet_.hits == 0)
-      return;
-    // Of rays without a hit those of some triangle: nobody looks at what comes of it.
-    HWY_ALIGN float corners[9][kLaneCount];
-    for (std::size_t ray = 0; ray < kLaneCount; ++ray) {
-      const TriangleBlock& block = tree_.blocks[hits_.block[ray]];
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const std::size_t position = block.corners[corner][hits_.lane[ray]];
-        for (std::size_t a = 0; a < 3; ++a)
-          corners[3 * corner + a][ray] = block.positions[a][position];
-      }
-    }
-    std::uint32_t isFlat = 0;
-    for (std::size_t at = 0; at < kLaneCount; at += kDoublesPerVector) {
-      const Doubles u = hn::Load(d, hits_.weights[0] + at);
-      const Doubles v = hn::Load(d, hits_.weights[1] + at);
-      const Doubles w = hn::Load(d, hits_.weights[2] + at);
-      const Doubles sum = hn::Add(hn::Add(u, v), w);
-      hn::Store(hn::DemoteTo(narrow, hn::Div(v, sum)), narrow, packet_.u + at);
-      hn::Store(hn::DemoteTo(narrow, hn::Div(w, sum)), narrow, packet_.v + at);
-
-      const auto side = [&](std::size_t corner, std::size_t a) {
-        const auto wide = [&](std::size_t i) {
-          return hn::PromoteTo(d, hn::Load(narrow, corners[i] + at));
-        };
-        return hn::Sub(wide(3 * corner + a), wide(a));
-      };
-      const Doubles px = side(1, 0), py = side(1, 1), pz = side(1, 2);
-      const Doubles qx = side(2, 0), qy = side(2, 1), qz = side(2, 2);
-      const Doubles nx = hn::Sub(hn::Mul(py, qz), hn::Mul(pz, qy));
-      const Doubles ny = hn::Sub(hn::Mul(pz, qx), hn::Mul(px, qz));
-      const Doubles nz = hn::Sub(hn::Mul(px, qy), hn::Mul(py, qx));
-      const Doubles zero = hn::Zero(d);
-      isFlat |=
-          setOf(d, hn::And(hn::And(hn::Eq(nx, zero), hn::Eq(ny, zero)), hn::Eq(nz, zero)), at);
-      const Doubles square = hn::Add(hn::Add(hn::Mul(nx, nx), hn::Mul(ny, ny)), hn::Mul(nz, nz));
-      const Doubles scale = hn::Div(hn::Set(d, 1.0), hn::Sqrt(square));
-      hn::Store(hn::DemoteTo(narrow, hn::Mul(nx, scale)), narrow, packet_.normal[0] + at);
-      hn::Store(hn::DemoteTo(narrow, hn::Mul(ny, scale)), narrow, packet_.normal[1] + at);
-      hn::Store(hn::DemoteTo(narrow, hn::Mul(nz, scale)), narrow, packet_.normal[2] + at);
-    }
-    packet_.flatHits = isFlat & packet_.hits;
-  }
-
-  const WideTree& tree_;
-  RayPacket& packet_;
+  const WideTree* tree_;
+  RayPacket* packet_;
+  std::size_t packetIndex_;
+  PacketRoom* room_;
   PacketRays rays_;
   std::uint32_t axes_[3];  ///< of the rays that are searched for together
   std::uint32_t octant_;
   std::uint32_t alive_;  ///< those of them that still look for something
   float tMax_;           ///< the end of the longest of them
   bool tMaxIsOld_;
-  std::size_t size_ = 0;
-  std::uint32_t prepared_ = 0;  ///< rays that have a query of their own
-  PacketStack stack_;
+  std::size_t size_;        ///< of the stack
+  std::uint32_t prepared_;  ///< rays that have a query of their own
   PacketHits hits_;
-  Corner corners_[TriangleBlock::kPositionCount];  ///< of a block
-  Progress progress_;
-  InterleavedSearch<Goal> interleaved_;
-  alignas(WideQuery) std::byte queries_[kLaneCount * sizeof(WideQuery)];
+  alignas(OwnQuery) std::byte queries_[kLaneCount * sizeof(OwnQuery)];
 };
 
 template <class Goal>
-void searchPacket(const WideTree& tree, RayPacket& packet) noexcept {
-  PacketSearch<Goal>(tree, packet).run();
+void searchPackets(const WideTree& tree, RayPacket* packets, std::size_t count) noexcept {
+  PacketRoom room;
+  PacketSearch<Goal> searches[RayPacket::kGroupSize];
+  std::uint32_t rest[RayPacket::kGroupSize];
+  for (std::size_t i = 0; i < count; ++i)
+    rest[i] = searches[i].begin(tree, packets[i], i, room);
+
+  std::size_t packet = 0;
+  const auto next = [&]() -> WideQuery* {
+    while (packet < count && rest[packet] == 0)
+      ++packet;
+    if (packet == count)
+      return nullptr;
+    const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rest[packet]);
+    rest[packet] &= rest[packet] - 1;
+    return &searches[packet].queryOf(ray);
+  };
+  const auto finish = [&](const WideQuery& query, bool found) {
+    const auto& own = static_cast<const OwnQuery&>(query);
+    if (found)
+      searches[own.packet].takeOver(own, own.ray);
+  };
+  InterleavedSearch<Goal>(tree).run(next, finish);
+
+  if constexpr (!Goal::kStopsAtAnyHit) {
+    for (std::size_t i = 0; i < count; ++i)
+      searches[i].finish();
+  }
 }
 
 }  // namespace planetree::detail::HWY_NAMESPACE

@@ -11,6 +11,8 @@ namespace planetree::detail {
 /// hit. Plain numbers only, so that kernels share no code with the rest of the library.
 struct RayPacket {
   static constexpr std::size_t kRayCount = 16;
+  /// So many packets are answered at a time.
+  static constexpr std::size_t kGroupSize = 4;
 
   // --- what is asked; bit i of a set stands for ray i ---
   alignas(64) float origin[3][kRayCount];
