@@ -30,10 +30,11 @@ class InterleavedSearch {
 
   explicit HWY_INLINE InterleavedSearch(const WideTree& tree) : tree_(tree) {}
 
-  /// `next()` gives the next query, or null if there is none left; `finish(query, found)` is told
-  /// when one is answered.
-  template <class Next, class Finish>
-  HWY_INLINE void run(const Next& next, const Finish& finish) {
+  /// `next()` gives the next query, or null if there is none left; `putOff(query, stack, size)`
+  /// puts on the stack where it begins, the nearest on top, and returns the new size;
+  /// `finish(query, found)` is told when one is answered.
+  template <class Next, class PutOff, class Finish>
+  HWY_INLINE void run(const Next& next, const PutOff& putOff, const Finish& finish) {
     std::uint8_t atNodes[kMostRays];
     std::uint8_t atLeaves[2 * kMostRays];
     std::size_t nodeCount = 0;
@@ -42,7 +43,7 @@ class InterleavedSearch {
       WideQuery* const query = next();
       if (query == nullptr)
         break;
-      start(walkers_[i], *query);
+      start(walkers_[i], *query, putOff);
       (walkers_[i].child.isNode() ? atNodes[nodeCount++] : atLeaves[leafCount++]) =
           static_cast<std::uint8_t>(i);
     }
@@ -63,20 +64,24 @@ class InterleavedSearch {
       for (std::size_t i = 0; i < leafCount; ++i) {
         const std::uint8_t index = atLeaves[i];
         Walker& walker = walkers_[index];
-        if (visitLeaves(walker)) {
+        bool isBusy = true;
+        while (isBusy && visitLeaves(walker)) {
           finish(*walker.query, walker.found);
           WideQuery* const query = next();
-          if (query == nullptr)
-            continue;
-          start(walker, *query);
+          isBusy = query != nullptr;
+          if (isBusy)
+            start(walker, *query, putOff);
         }
-        atNodes[nodeCount++] = index;
+        atNodes[nodeCount] = index;
+        nodeCount += isBusy ? 1u : 0u;
       }
       leafCount = 0;
     }
   }
 
  private:
+  static constexpr std::size_t kFetchedLines = 8;
+
   struct Walker {
     WideQuery* query;
     std::size_t size;
@@ -86,13 +91,14 @@ class InterleavedSearch {
     ShearedBlock sheared;
   };
 
-  HWY_INLINE void start(Walker& walker, WideQuery& query) {
+  template <class PutOff>
+  HWY_INLINE void start(Walker& walker, WideQuery& query, const PutOff& putOff) {
     walker.query = &query;
     walker.found = false;
     walker.stack.tNear[0] = -std::numeric_limits<float>::infinity();
     walker.stack.children[0] = WideChild::end().word();
-    walker.size = 1;
-    walker.child = tree_.root;
+    walker.size = putOff(query, walker.stack, 1) - 1;
+    walker.child = WideChild::fromWord(walker.stack.children[walker.size]);
   }
 
   /// From a node to the next child; whether that is a node.
@@ -109,20 +115,21 @@ class InterleavedSearch {
         Goal::kStopsAtAnyHit ? pushUnordered(node, test, below, stack, size)
                              : pushNearestLast(node, query.octant, test, below, stack, size));
     walker.size = size - 1;
-    prefetch(walker.child, query.octant);
+    prefetch(walker.child);
     return walker.child.isNode();
   }
 
-  /// Fetches what the ray looks at when it is its turn again.
-  HWY_INLINE void prefetch(WideChild child, std::uint32_t octant) const {
-    if (child.isNode()) {
-      prefetchNext(tree_.nodes.data(), octant, child);
-    } else {
-      const std::uint32_t first = child.isObject() ? 0u : child.firstBlock();
-      const auto* const block = reinterpret_cast<const char*>(tree_.blocks.data() + first);
-      for (std::size_t line = 0; line < 4; ++line)
-        hwy::Prefetch(block + 64 * line);
-    }
+  /// Fetches what the ray looks at when it is its turn again. Which kind that is no branch can
+  /// foresee.
+  HWY_INLINE void prefetch(WideChild child) const {
+    const auto nodes = reinterpret_cast<std::uintptr_t>(tree_.nodes.data());
+    const auto blocks = reinterpret_cast<std::uintptr_t>(tree_.blocks.data());
+    const std::uintptr_t node = nodes + child.nodeIndex() * sizeof(WideNode);
+    const std::uintptr_t block = blocks + child.firstBlock() * sizeof(TriangleBlock);
+    const auto isLeaf = std::uintptr_t{0} - static_cast<std::uintptr_t>(child.word() >> 31u);
+    const auto* const first = reinterpret_cast<const char*>((block & isLeaf) | (node & ~isLeaf));
+    for (std::size_t line = 0; line < kFetchedLines; ++line)
+      hwy::Prefetch(first + 64 * line);
   }
 
   /// Tests blocks until the next child is a node; true if the query is answered.

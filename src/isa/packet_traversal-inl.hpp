@@ -409,6 +409,15 @@ struct OwnQuery : WideQuery {
   std::size_t ray;
 };
 
+/// What a ray had put off when it left its packet, the nearest last.
+struct OwnStack {
+  static constexpr std::size_t kCapacity = 32;
+
+  std::size_t size;
+  float tNear[kCapacity];
+  std::uint32_t children[kCapacity];
+};
+
 /// Answers a packet: rays that go the same way together, the others each on its own.
 template <class Goal>
 class PacketSearch {
@@ -420,7 +429,6 @@ class PacketSearch {
     packet_ = &packet;
     packetIndex_ = packetIndex;
     room_ = &room;
-    prepared_ = 0;
     packet.hits = 0;
     packet.flatHits = 0;
     const WordTag words;
@@ -433,16 +441,29 @@ class PacketSearch {
     if (asked == 0)
       return 0;
     const std::uint32_t together = findLikeFirst(rays_, asked);
+    left_ = 0;
     const bool areTogether = sizeOf(together) >= kFewestInPacket && searchTogether(together);
-    return areTogether ? asked & ~together : asked;
+    return areTogether ? (asked & ~together) | left_ : asked;
+  }
+
+  /// Puts on a stack where a ray goes on that is left.
+  HWY_INLINE std::size_t putOff(std::size_t ray, Stack& stack, std::size_t size) const {
+    if ((left_ >> ray & 1u) == 0) {
+      stack.tNear[size] = packet_->tMin[ray];
+      stack.children[size++] = tree_->root.word();
+      return size;
+    }
+    const OwnStack& own = stacks_[ray];
+    for (std::size_t i = 0; i < own.size; ++i) {
+      stack.tNear[size] = own.tNear[i];
+      stack.children[size++] = own.children[i];
+    }
+    return size;
   }
 
   /// A query of a ray that is prepared.
   HWY_INLINE OwnQuery& queryOf(std::size_t ray) {
     void* const place = queries_ + ray * sizeof(OwnQuery);
-    if ((prepared_ >> ray & 1u) != 0)
-      return *std::launder(static_cast<OwnQuery*>(place));
-    prepared_ |= 1u << ray;
     auto* const query =
         new (place) OwnQuery(*tree_, kNoTests, packet_->tMin[ray], packet_->hitT[ray]);
     query->packet = packetIndex_;
@@ -461,6 +482,7 @@ class PacketSearch {
     query->depthPerZ = rays_.depthPerZ.of[ray];
     query->reach = rays_.reach.of[ray];
     query->octant = rays_.octantOf(ray);
+    query->hitObject = packet_->hitObject[ray];
     return *query;
   }
 
@@ -557,7 +579,7 @@ class PacketSearch {
       if (rays == 0)
         continue;
       if (sizeOf(rays) <= kMostOnTheirOwn)
-        searchOneByOne(child, rays);
+        leave(child, rays);
       else if (child.isNode())
         visitNode(tree_->nodes[child.nodeIndex()], bundle, rays);
       else
@@ -777,17 +799,30 @@ class PacketSearch {
 
   // --- rays on their own ---
 
-  void searchOneByOne(WideChild child, std::uint32_t rays) {
+  /// Rays that have no company below this child, the one just taken from the stack, leave the
+  /// packet, with all that they have put off.
+  HWY_INLINE void leave(WideChild child, std::uint32_t rays) {
     for (; rays != 0; rays &= rays - 1) {
       const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rays);
-      searchAlone(child, ray);
+      if (size_ >= OwnStack::kCapacity) {
+        searchAlone(child, ray);
+        continue;
+      }
+      OwnStack& own = stacks_[ray];
+      own.size = 0;
+      for (std::size_t i = 0; i <= size_; ++i) {
+        own.tNear[own.size] = room_->stack.tNear[i].of[ray];
+        own.children[own.size] = room_->stack.children[i];
+        const bool isNear = own.tNear[own.size] <= packet_->hitT[ray];
+        own.size += (room_->stack.rays[i] >> ray & 1u) & (isNear ? 1u : 0u);
+      }
+      left_ |= 1u << ray;
+      alive_ &= ~(1u << ray);
     }
   }
 
   HWY_NOINLINE void searchAlone(WideChild child, std::size_t ray) {
     WideQuery& query = queryOf(ray);
-    query.hitT = packet_->hitT[ray];
-    query.hitObject = packet_->hitObject[ray];
     room_->progress.size = 0;
     room_->progress.found = false;
     room_->progress.restCount = 0;
@@ -805,8 +840,9 @@ class PacketSearch {
   std::uint32_t alive_;  ///< those of them that still look for something
   float tMax_;           ///< the end of the longest of them
   bool tMaxIsOld_;
-  std::size_t size_;        ///< of the stack
-  std::uint32_t prepared_;  ///< rays that have a query of their own
+  std::size_t size_;    ///< of the stack
+  std::uint32_t left_;  ///< rays that have left the packet
+  OwnStack stacks_[kLaneCount];
   PacketHits hits_;
   alignas(OwnQuery) std::byte queries_[kLaneCount * sizeof(OwnQuery)];
 };
@@ -834,7 +870,11 @@ void searchPackets(const WideTree& tree, RayPacket* packets, std::size_t count) 
     if (found)
       searches[own.packet].takeOver(own, own.ray);
   };
-  InterleavedSearch<Goal>(tree).run(next, finish);
+  const auto putOff = [&](const WideQuery& query, Stack& stack, std::size_t size) {
+    const auto& own = static_cast<const OwnQuery&>(query);
+    return searches[own.packet].putOff(own.ray, stack, size);
+  };
+  InterleavedSearch<Goal>(tree).run(next, putOff, finish);
 
   if constexpr (!Goal::kStopsAtAnyHit) {
     for (std::size_t i = 0; i < count; ++i)
