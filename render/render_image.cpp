@@ -9,6 +9,7 @@
 #include "render/shading/heat.hpp"
 #include "render/shading/normals.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace planetree::render {
 
@@ -54,6 +56,10 @@ Vec3f wireColour(RenderMode mode) noexcept {
   return kInk;
 }
 
+/// Camera rays that a tile traces together: enough for neighbours to be taken along with each
+/// other, few enough that they, and what they send on, stay in the cache.
+constexpr std::size_t kRaysAtOnce = 2048;
+
 /// One rendering: everything that all tiles share.
 class TileRenderer {
  public:
@@ -70,13 +76,16 @@ class TileRenderer {
   /// Any number of tiles at once. Does nothing after a stop.
   void render(const Tile& tile) {
     RayCounter counter(tracer_);
-    for (std::uint32_t y = tile.firstY; y < tile.endY; ++y) {
+    const std::size_t pixelCount =
+        static_cast<std::size_t>(tile.endX - tile.firstX) * (tile.endY - tile.firstY);
+    const std::size_t samplesPerPixel = settings_.samplesPerPixel;
+    const std::size_t sampleCount = pixelCount * samplesPerPixel;
+    for (std::size_t first = 0; first < sampleCount; first += kRaysAtOnce) {
       if (progress_.isStopped())
         return;
-      for (std::uint32_t x = tile.firstX; x < tile.endX; ++x) {
-        film_.at(x, y) = renderPixel(counter, x, y);
-      }
-      progress_.add(tile.endX - tile.firstX);
+      const std::size_t end = std::min(sampleCount, first + kRaysAtOnce);
+      renderSamples(counter, tile, first, end);
+      progress_.add(end / samplesPerPixel - first / samplesPerPixel);
     }
     rayCount_ += counter.rayCount();
   }
@@ -86,17 +95,31 @@ class TileRenderer {
   [[nodiscard]] Film& film() noexcept { return film_; }
 
  private:
-  [[nodiscard]] FilmSample renderPixel(RayCounter& counter, std::uint32_t x,
-                                       std::uint32_t y) const noexcept {
-    FilmSample sum;
-    for (std::uint32_t i = 0; i < settings_.samplesPerPixel; ++i) {
-      const SamplePoint point = points_.at(x, y, i);
-      const Rayf ray = camera_.ray((x + point.film.x) / settings_.size.width,
-                                   (y + point.film.y) / settings_.size.height);
-      sum += shading_->shade(counter, ray, point.directions);
+  /// The samples of a tile are numbered pixel by pixel, and the pixels row by row.
+  void renderSamples(RayCounter& counter, const Tile& tile, std::size_t first, std::size_t end) {
+    const std::uint32_t samplesPerPixel = settings_.samplesPerPixel;
+    const std::uint32_t width = tile.endX - tile.firstX;
+    CameraRays camera;
+    std::vector<FilmSample*> pixels;
+    for (std::size_t i = first; i < end; ++i) {
+      const auto pixel = static_cast<std::uint32_t>(i / samplesPerPixel);
+      const std::uint32_t x = tile.firstX + pixel % width;
+      const std::uint32_t y = tile.firstY + pixel / width;
+      const SamplePoint point = points_.at(x, y, static_cast<std::uint32_t>(i % samplesPerPixel));
+      camera.rays.push_back(camera_.ray((x + point.film.x) / settings_.size.width,
+                                        (y + point.film.y) / settings_.size.height));
+      camera.directions.push_back(point.directions);
+      pixels.push_back(&film_.at(x, y));
     }
-    const float weight = 1.0f / static_cast<float>(settings_.samplesPerPixel);
-    return {.value = sum.value * weight, .coverage = sum.coverage * weight};
+    const std::vector<FilmSample> samples = shading_->shade(counter, camera);
+    const float weight = 1.0f / static_cast<float>(samplesPerPixel);
+    for (std::size_t i = first; i < end; ++i) {
+      FilmSample& sum = *pixels[i - first];
+      sum += samples[i - first];
+      const bool isLast = (i + 1) % samplesPerPixel == 0;
+      if (isLast)
+        sum = {.value = sum.value * weight, .coverage = sum.coverage * weight};
+    }
   }
 
   const Tracer& tracer_;

@@ -24,8 +24,9 @@ enum class ErrorCode : std::uint8_t {
 /// The stable name of a code, for logs and for other languages: "file-not-readable", ...
 [[nodiscard]] std::string_view errorCodeName(ErrorCode code) noexcept;
 
-/// Thrown by reading and by building; queries never throw. `what()` is one line made of all the
-/// parts: "bunny.ply:12: face 7 has an index beyond the last vertex. Try ...".
+/// Thrown by reading, by building, and by batches; queries of single rays never throw. `what()` is
+/// one line made of all the parts: "bunny.ply:12: face 7 has an index beyond the last vertex. Try
+/// ...".
 class Error : public std::runtime_error {
  public:
   /// The line or face of an error that has none.
@@ -54,7 +55,7 @@ class Error : public std::runtime_error {
   std::string advice_;
 };
 
-/// Thrown by a build that was stopped by `BuildControl::stopToken`.
+/// Thrown by a build or a batch that was stopped by the `stopToken` of its control.
 class Cancelled : public Error {
  public:
   Cancelled() : Error(ErrorCode::Cancelled, "cancelled", "") {}

@@ -1,8 +1,12 @@
 #include "render/overlay/draw_cells.hpp"
 
 #include "render/overlay/cell_edges.hpp"
+#include "render/shading/surface_point.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace planetree::render {
 
@@ -18,14 +22,21 @@ void traceDepths(const Tracer& tracer, const PinholeCamera& camera, const Tile& 
                  SurfaceDepths& depths) {
   const ImageSize& size = depths.size();
   const Vec3f forward(camera.axes().forward);
+  std::vector<Rayf> rays;
   for (std::uint32_t y = tile.firstY; y < tile.endY; ++y) {
     for (std::uint32_t x = tile.firstX; x < tile.endX; ++x) {
-      SurfaceDepths::Depths& pixel = depths.at(x, y);
-      for (std::size_t i = 0; i < kDepthPlaces.size(); ++i) {
-        const Rayf ray =
-            camera.ray((x + kDepthPlaces[i].x) / size.width, (y + kDepthPlaces[i].y) / size.height);
-        if (const auto hit = tracer.findIntersection(ray))
-          pixel[i] = hit->t * dot(ray.direction, forward);
+      for (const Point2& place : kDepthPlaces)
+        rays.push_back(camera.ray((x + place.x) / size.width, (y + place.y) / size.height));
+    }
+  }
+  const std::vector<Hitf> hits = tracer.findIntersections(rays);
+  std::size_t next = 0;
+  for (std::uint32_t y = tile.firstY; y < tile.endY; ++y) {
+    for (std::uint32_t x = tile.firstX; x < tile.endX; ++x) {
+      for (float& depth : depths.at(x, y)) {
+        if (isSurface(hits[next]))
+          depth = hits[next].t * dot(rays[next].direction, forward);
+        ++next;
       }
     }
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace planetree::render {
@@ -39,22 +41,40 @@ AmbientOcclusion::AmbientOcclusion(const Box3& scene, const CameraAxes& axes, co
       keyDirection_(Vec3f(normalized(axes.up * 0.75 - axes.right * 0.8 - axes.forward * 0.3))),
       albedos_(std::move(albedos)) {}
 
-FilmSample AmbientOcclusion::shade(RayCounter& tracer, const Rayf& cameraRay,
-                                   const DirectionPoints& directions) const noexcept {
-  const auto hit = tracer.findIntersection(cameraRay);
-  if (!hit)
-    return {};
-  const Vec3f normal = normalTowardViewer(*hit, cameraRay);
-  const Vec3f point = cameraRay.at(hit->t);
-  Rayf ray{
-      .origin = point + normal * surfaceOffset(scene_, point), .direction = {}, .tMax = reach_};
-  float open = 0.0f;
-  for (const Point2& direction : directions) {
-    ray.direction = cosineDistributed(normal, direction);
-    open += tracer.isOccluded(ray) ? kBounce : 1.0f;
+std::vector<FilmSample> AmbientOcclusion::shade(RayCounter& tracer,
+                                                const CameraRays& camera) const {
+  const std::vector<Hitf> hits = tracer.findIntersections(camera.rays);
+  const std::vector<std::uint8_t> areBlocked = tracer.areOccluded(raysFromSurfaces(camera, hits));
+  auto isBlocked = areBlocked.begin();
+  std::vector<FilmSample> samples(hits.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!isSurface(hits[i]))
+      continue;
+    float open = 0.0f;
+    for (std::uint32_t k = 0; k < kDirectionsPerSample; ++k)
+      open += *isBlocked++ != 0 ? kBounce : 1.0f;
+    open /= static_cast<float>(kDirectionsPerSample);
+    const Vec3f light = openLight(normalTowardViewer(hits[i], camera.rays[i]));
+    samples[i] = {.value = product(albedo(hits[i]), light) * open, .coverage = 1.0f};
   }
-  open /= static_cast<float>(directions.size());
-  return {.value = product(albedo(*hit), openLight(normal)) * open, .coverage = 1.0f};
+  return samples;
+}
+
+std::vector<Rayf> AmbientOcclusion::raysFromSurfaces(const CameraRays& camera,
+                                                     const std::vector<Hitf>& hits) const {
+  std::vector<Rayf> rays;
+  rays.reserve(hits.size() * kDirectionsPerSample);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!isSurface(hits[i]))
+      continue;
+    const Vec3f normal = normalTowardViewer(hits[i], camera.rays[i]);
+    const Vec3f point = camera.rays[i].at(hits[i].t);
+    const Vec3f origin = point + normal * surfaceOffset(scene_, point);
+    for (const Point2& direction : camera.directions[i])
+      rays.push_back(
+          {.origin = origin, .direction = cosineDistributed(normal, direction), .tMax = reach_});
+  }
+  return rays;
 }
 
 Vec3f AmbientOcclusion::albedo(const Hitf& hit) const noexcept {

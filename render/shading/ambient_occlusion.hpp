@@ -22,11 +22,14 @@ class AmbientOcclusion final : public Shading {
   AmbientOcclusion(const Box3& scene, const CameraAxes& axes, const Vec3f& up,
                    std::vector<Vec3f> albedos);
 
-  [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
-                                 const DirectionPoints& directions) const noexcept override;
+  [[nodiscard]] std::vector<FilmSample> shade(RayCounter& tracer,
+                                              const CameraRays& camera) const override;
   [[nodiscard]] Development develop(const Film& film) const override;
 
  private:
+  /// Those that each surface sends, one after the other.
+  [[nodiscard]] std::vector<Rayf> raysFromSurfaces(const CameraRays& camera,
+                                                   const std::vector<Hitf>& hits) const;
   [[nodiscard]] Vec3f albedo(const Hitf& hit) const noexcept;
   /// The light on a surface from which nothing is blocked.
   [[nodiscard]] Vec3f openLight(const Vec3f& normal) const noexcept;

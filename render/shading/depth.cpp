@@ -1,9 +1,11 @@
 #include "render/shading/depth.hpp"
 
 #include "render/image.hpp"
+#include "render/shading/surface_point.hpp"
 #include "render/value_percentile.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -36,13 +38,16 @@ std::vector<float> coveredDepths(const Film& film) {
 
 }  // namespace
 
-FilmSample Depth::shade(RayCounter& tracer, const Rayf& cameraRay,
-                        const DirectionPoints& /*directions*/) const noexcept {
-  const auto hit = tracer.findIntersection(cameraRay);
-  if (!hit)
-    return {};
-  const float depth = hit->t * dot(cameraRay.direction, viewDirection_);
-  return {.value = {depth, 0.0f, 0.0f}, .coverage = 1.0f};
+std::vector<FilmSample> Depth::shade(RayCounter& tracer, const CameraRays& camera) const {
+  const std::vector<Hitf> hits = tracer.findIntersections(camera.rays);
+  std::vector<FilmSample> samples(hits.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!isSurface(hits[i]))
+      continue;
+    const float depth = hits[i].t * dot(camera.rays[i].direction, viewDirection_);
+    samples[i] = {.value = {depth, 0.0f, 0.0f}, .coverage = 1.0f};
+  }
+  return samples;
 }
 
 Development Depth::develop(const Film& film) const {

@@ -4,6 +4,8 @@
 
 #include <planetree/geometry/vec3.hpp>
 
+#include <vector>
+
 namespace planetree::render {
 
 /// Depth along the view direction as grey: the nearest surface is white, the farthest dark, and
@@ -13,8 +15,8 @@ class Depth final : public Shading {
  public:
   explicit Depth(const Vec3f& viewDirection) : viewDirection_(viewDirection) {}
 
-  [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
-                                 const DirectionPoints& directions) const noexcept override;
+  [[nodiscard]] std::vector<FilmSample> shade(RayCounter& tracer,
+                                              const CameraRays& camera) const override;
   [[nodiscard]] Development develop(const Film& film) const override;
 
  private:

@@ -45,13 +45,19 @@ double chosenBrightest(std::vector<float> values) {
 
 }  // namespace
 
-FilmSample Heat::shade(RayCounter& tracer, const Rayf& cameraRay,
-                       const DirectionPoints& /*directions*/) const noexcept {
-  StepCounts counts;
-  const bool isHit = tracer.findIntersection(cameraRay, counts).has_value();
-  return {.value = {static_cast<float>(counts.splitNodes), static_cast<float>(counts.leafNodes),
-                    static_cast<float>(counts.objects)},
-          .coverage = isHit ? 1.0f : 0.0f};
+// Ray by ray: only so does a search count the nodes of the tree as the user knows them.
+std::vector<FilmSample> Heat::shade(RayCounter& tracer, const CameraRays& camera) const {
+  std::vector<FilmSample> samples;
+  samples.reserve(camera.rays.size());
+  for (const Rayf& ray : camera.rays) {
+    StepCounts counts;
+    const bool isHit = tracer.findIntersection(ray, counts).has_value();
+    samples.push_back(
+        {.value = {static_cast<float>(counts.splitNodes), static_cast<float>(counts.leafNodes),
+                   static_cast<float>(counts.objects)},
+         .coverage = isHit ? 1.0f : 0.0f});
+  }
+  return samples;
 }
 
 Development Heat::develop(const Film& film) const {

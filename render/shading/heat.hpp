@@ -3,6 +3,7 @@
 #include "render/shading/shading.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace planetree::render {
 
@@ -15,8 +16,8 @@ class Heat final : public Shading {
   /// `brightest` must be positive.
   explicit Heat(std::optional<double> brightest = std::nullopt) noexcept : brightest_(brightest) {}
 
-  [[nodiscard]] FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
-                                 const DirectionPoints& directions) const noexcept override;
+  [[nodiscard]] std::vector<FilmSample> shade(RayCounter& tracer,
+                                              const CameraRays& camera) const override;
   [[nodiscard]] Development develop(const Film& film) const override;
 
  private:

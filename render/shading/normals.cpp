@@ -3,6 +3,9 @@
 #include "render/image.hpp"
 #include "render/shading/surface_point.hpp"
 
+#include <cstddef>
+#include <vector>
+
 namespace planetree::render {
 
 namespace {
@@ -19,12 +22,14 @@ Light normalColour(const FilmSample& sample) noexcept {
 
 }  // namespace
 
-FilmSample Normals::shade(RayCounter& tracer, const Rayf& cameraRay,
-                          const DirectionPoints& /*directions*/) const noexcept {
-  const auto hit = tracer.findIntersection(cameraRay);
-  if (!hit)
-    return {};
-  return {.value = normalTowardViewer(*hit, cameraRay), .coverage = 1.0f};
+std::vector<FilmSample> Normals::shade(RayCounter& tracer, const CameraRays& camera) const {
+  const std::vector<Hitf> hits = tracer.findIntersections(camera.rays);
+  std::vector<FilmSample> samples(hits.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (isSurface(hits[i]))
+      samples[i] = {.value = normalTowardViewer(hits[i], camera.rays[i]), .coverage = 1.0f};
+  }
+  return samples;
 }
 
 Development Normals::develop(const Film& /*film*/) const {

@@ -37,16 +37,22 @@ struct Development {
   std::optional<ValueRange> range;  ///< if the colours measure something
 };
 
+/// Camera rays that are traced together, and for each of them the points to choose directions by.
+struct CameraRays {
+  std::vector<Rayf> rays;
+  std::vector<DirectionPoints> directions;
+};
+
 /// A way to turn rays into a picture, in two steps: what each camera ray sees, then which colours
 /// the pixels get. The second step knows all pixels, so it can choose a range of values.
 class Shading {
  public:
   virtual ~Shading() = default;
 
-  /// What one camera ray sees. Whatever the shading has to choose at random it chooses by
-  /// `directions`. Any thread may call it.
-  [[nodiscard]] virtual FilmSample shade(RayCounter& tracer, const Rayf& cameraRay,
-                                         const DirectionPoints& directions) const noexcept = 0;
+  /// What each camera ray sees; it does not depend on which rays come with it. Whatever the shading
+  /// has to choose at random it chooses by their `directions`. Any thread may call it.
+  [[nodiscard]] virtual std::vector<FilmSample> shade(RayCounter& tracer,
+                                                      const CameraRays& camera) const = 0;
 
   /// The answer does not refer to the shading or to the film.
   [[nodiscard]] virtual Development develop(const Film& film) const = 0;

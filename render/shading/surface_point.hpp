@@ -10,6 +10,11 @@
 
 namespace planetree::render {
 
+/// Whether there is a hit at all: of many rays those that miss have a default-made one.
+[[nodiscard]] inline bool isSurface(const Hitf& hit) noexcept {
+  return hit.geometry != kNoId;
+}
+
 /// The normal of a hit on the side from which the ray came.
 [[nodiscard]] inline Vec3f normalTowardViewer(const Hitf& hit, const Rayf& ray) noexcept {
   return dot(hit.normal, ray.direction) > 0.0f ? -hit.normal : hit.normal;

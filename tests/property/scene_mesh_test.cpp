@@ -1,11 +1,15 @@
 #include <planetree/mesh/read_mesh.hpp>
 #include <planetree/planetree.hpp>
 
+#include "support/batch_rays.hpp"
 #include "support/brute_force.hpp"
+#include "support/compare_batches.hpp"
 #include "support/hard_cases.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <ostream>
@@ -17,6 +21,13 @@ namespace {
 /// Large real meshes live outside the repository, in a folder that the environment names.
 class SceneMesh : public testing::TestWithParam<const char*> {
  protected:
+  void SetUp() override {
+    if (path().empty())
+      GTEST_SKIP() << "PLANETREE_SCENES is not set: name a folder with " << GetParam();
+    if (!std::filesystem::exists(path()))
+      GTEST_SKIP() << path() << " does not exist";
+  }
+
   std::filesystem::path path() const {
     const char* folder = std::getenv("PLANETREE_SCENES");
     return folder ? std::filesystem::path(folder) / GetParam() : std::filesystem::path();
@@ -24,10 +35,6 @@ class SceneMesh : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(SceneMesh, AgreesWithBruteForce) {
-  if (path().empty())
-    GTEST_SKIP() << "PLANETREE_SCENES is not set: name a folder with " << GetParam();
-  if (!std::filesystem::exists(path()))
-    GTEST_SKIP() << path() << " does not exist";
   const TriangleMesh<float> mesh = readMesh<float>(path());
   const auto tree = buildTree(mesh.view());
   std::size_t hits = 0;
@@ -40,11 +47,44 @@ TEST_P(SceneMesh, AgreesWithBruteForce) {
   EXPECT_GT(hits, 100u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Folder, SceneMesh, testing::Values("bunny.ply", "sibenik.ply"),
-                         [](const auto& mesh) {
-                           const std::string name = mesh.param;
-                           return name.substr(0, name.find('.'));
-                         });
+/// The name of a mesh without that of its format.
+std::string nameOf(const testing::TestParamInfo<const char*>& mesh) {
+  const std::string name = mesh.param;
+  return name.substr(0, name.find('.'));
+}
+
+INSTANTIATE_TEST_SUITE_P(Folder, SceneMesh, testing::Values("bunny.ply", "sibenik.ply"), nameOf);
+
+class BatchInSceneMesh : public SceneMesh {
+ protected:
+  template <class T>
+  void agreesWithSingleRays() const {
+    const TriangleMesh<T> mesh = readMesh<T>(path());
+    const auto tree = buildTree(mesh.view());
+    std::uint64_t salt = 92;
+    for (const RaySet<T>& set : raySets(mesh, tree.bounds(), salt)) {
+      SCOPED_TRACE(set.name + ", " + describeSeed());
+      expectSameAsAlone(tree.view(), set.rays);
+      expectSameAsAlone(tree.view(), shuffled(set.rays, ++salt));
+    }
+    // Triangles larger than pixels, and smaller ones.
+    const auto middle =
+        static_cast<Vec3<T>>((Vec3d(tree.bounds().lower) + Vec3d(tree.bounds().upper)) * 0.5);
+    const PictureFrame<T> frame{{1, T(-0.1), T(0.2)}, {0, 0, T(0.8)}, {0, T(0.6), 0}};
+    expectSameAsAlone(tree.view(), pinholePicture(middle, frame, 320, 240));
+    expectSameAsAlone(tree.view(), panorama(middle, 100, 50));
+  }
+};
+
+TEST_P(BatchInSceneMesh, AgreesBitForBitWithSingleRaysInFloat) {
+  agreesWithSingleRays<float>();
+}
+TEST_P(BatchInSceneMesh, AgreesBitForBitWithSingleRaysInDouble) {
+  agreesWithSingleRays<double>();
+}
+
+INSTANTIATE_TEST_SUITE_P(Folder, BatchInSceneMesh, testing::Values("bunny.ply", "sponza.ply"),
+                         nameOf);
 
 }  // namespace
 }  // namespace planetree::test

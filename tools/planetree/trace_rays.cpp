@@ -71,36 +71,46 @@ void setLimits(std::vector<Ray<T>>& rays, const RayLimits& limits) {
   }
 }
 
-// Each of these appends the answers to a ray, and returns whether it hits anything.
+// Each of these appends the answers to the rays of a block, the first of which has this number, and
+// returns how many of them hit anything. Other threads have blocks of their own.
 
 template <class T>
-bool answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, std::uint64_t /*number*/,
-            const QueryOptions& options, std::vector<Hit<T>>& answers) {
-  const auto hit = tree.findIntersection(ray, options);
-  answers.push_back(hit.value_or(Hit<T>{}));
-  return hit.has_value();
+std::size_t answer(const KdTree<Face<T>>& tree, std::span<const Ray<T>> rays,
+                   std::uint64_t /*firstRay*/, const QueryOptions& options,
+                   std::vector<Hit<T>>& answers) {
+  answers.resize(rays.size());
+  return tree.findIntersections(rays, answers, {.query = options, .threadCount = 1});
 }
 
 template <class T>
-bool answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, std::uint64_t /*number*/,
-            const QueryOptions& options, std::vector<Occlusion>& answers) {
-  answers.push_back({.isHit = tree.isOccluded(ray, options)});
-  return answers.back().isHit;
+std::size_t answer(const KdTree<Face<T>>& tree, std::span<const Ray<T>> rays,
+                   std::uint64_t /*firstRay*/, const QueryOptions& options,
+                   std::vector<Occlusion>& answers) {
+  std::vector<std::uint8_t> flags(rays.size());
+  const std::size_t hitCount = tree.areOccluded(rays, flags, {.query = options, .threadCount = 1});
+  for (const std::uint8_t flag : flags)
+    answers.push_back({.isHit = flag != 0});
+  return hitCount;
 }
 
 template <class T>
-bool answer(const KdTree<Face<T>>& tree, const Ray<T>& ray, std::uint64_t number,
-            const QueryOptions& options, std::vector<NumberedHit<T>>& answers) {
+std::size_t answer(const KdTree<Face<T>>& tree, std::span<const Ray<T>> rays,
+                   std::uint64_t firstRay, const QueryOptions& options,
+                   std::vector<NumberedHit<T>>& answers) {
+  std::size_t hitCount = 0;
   std::array<Hit<T>, kHitsAtOnce> hits;
-  FoundHits found = tree.findIntersections(ray, hits, options);
-  const bool isHit = found.count > 0;
-  while (true) {
-    for (std::size_t i = 0; i < found.count; ++i)
-      answers.push_back({.ray = number, .hit = hits[i]});
-    if (!found.hasMore)
-      return isHit;
-    found = tree.findNextIntersections(ray, hits.back(), hits, options);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    FoundHits found = tree.findIntersections(rays[i], hits, options);
+    hitCount += found.count > 0 ? 1u : 0u;
+    while (true) {
+      for (std::size_t k = 0; k < found.count; ++k)
+        answers.push_back({.ray = firstRay + i, .hit = hits[k]});
+      if (!found.hasMore)
+        break;
+      found = tree.findNextIntersections(rays[i], hits.back(), hits, options);
+    }
   }
+  return hitCount;
 }
 
 /// The stages of a block, and the table that comes out.
@@ -210,12 +220,10 @@ class Tracing {
     try {
       std::vector<Answer> answers;
       answers.reserve(parcel.rays.size());
-      std::uint64_t number = parcel.firstRay;
-      for (const Ray<T>& ray : parcel.rays) {
-        const bool isHit = answer(tree_, ray, number++, settings_.options, answers);
-        parcel.report.hitCount += isHit ? 1u : 0u;
+      parcel.report.hitCount =
+          answer<T>(tree_, parcel.rays, parcel.firstRay, settings_.options, answers);
+      for (const Ray<T>& ray : parcel.rays)
         parcel.report.invalidRayCount += isValid(ray) ? 0u : 1u;
-      }
       parcel.report.rayCount = parcel.rays.size();
       parcel.report.rowCount = answers.size();
       appendRows<Answer>(parcel.rows, settings_.format, answers);

@@ -36,6 +36,12 @@ std::unique_ptr<Tracer> roomTracer() {
       std::vector<Box<float>>{{.lower = {-1.0f, -1.0f, -1.0f}, .upper = {1.0f, 1.0f, 1.0f}}});
 }
 
+/// What one ray sees.
+FilmSample shade(const Shading& shading, RayCounter& tracer, const Rayf& ray,
+                 const DirectionPoints& directions = {}) {
+  return shading.shade(tracer, {.rays = {ray}, .directions = {directions}}).front();
+}
+
 constexpr Rayf kDownward{.origin = {0.1f, 1.0f, 0.2f}, .direction = {0.0f, -1.0f, 0.0f}};
 constexpr Rayf kUpward{.origin = {0.1f, 0.5f, 0.2f}, .direction = {0.0f, 1.0f, 0.0f}};
 
@@ -50,7 +56,7 @@ float meanLight(const AmbientOcclusion& shading, const Tracer& tracer, const Ray
   RayCounter counter(tracer);
   float sum = 0.0f;
   for (std::uint32_t i = 0; i < 64; ++i) {
-    sum += shading.shade(counter, ray, points.at(0, 0, i).directions).value.y;
+    sum += shade(shading, counter, ray, points.at(0, 0, i).directions).value.y;
   }
   return sum / 64.0f;
 }
@@ -59,7 +65,7 @@ TEST(AmbientOcclusion, AnOpenFloorShadesNothing) {
   const auto tracer = floorTracer();
   const AmbientOcclusion shading = ambientOcclusion(*tracer);
   RayCounter counter(*tracer);
-  const float once = shading.shade(counter, kDownward, {}).value.y;
+  const float once = shade(shading, counter, kDownward).value.y;
   EXPECT_NEAR(meanLight(shading, *tracer, kDownward), once, 1e-6f);
 }
 
@@ -76,9 +82,9 @@ TEST(AmbientOcclusion, TriesDirectionsFromSurfacesOnly) {
   const auto tracer = floorTracer();
   const AmbientOcclusion shading = ambientOcclusion(*tracer);
   RayCounter counter(*tracer);
-  EXPECT_EQ(shading.shade(counter, kDownward, {}).coverage, 1.0f);
+  EXPECT_EQ(shade(shading, counter, kDownward).coverage, 1.0f);
   EXPECT_EQ(counter.rayCount(), 1 + kDirectionsPerSample);
-  EXPECT_EQ(shading.shade(counter, kUpward, {}).coverage, 0.0f);
+  EXPECT_EQ(shade(shading, counter, kUpward).coverage, 0.0f);
   EXPECT_EQ(counter.rayCount(), 2 + kDirectionsPerSample);
 }
 
@@ -89,18 +95,18 @@ TEST(AmbientOcclusion, GeometriesWithoutAColourAreOfClay) {
   const AmbientOcclusion red(tracer->bounds(), axes, up, {{1.0f, 0.0f, 0.0f}});
   const AmbientOcclusion clay(tracer->bounds(), axes, up, {});
   RayCounter counter(*tracer);
-  EXPECT_EQ(red.shade(counter, kDownward, {}).value.y, 0.0f);
-  EXPECT_GT(clay.shade(counter, kDownward, {}).value.y, 0.0f);
+  EXPECT_EQ(shade(red, counter, kDownward).value.y, 0.0f);
+  EXPECT_GT(shade(clay, counter, kDownward).value.y, 0.0f);
 }
 
 TEST(Normals, FaceTheViewerFromEitherSide) {
   const auto tracer = floorTracer();
   RayCounter counter(*tracer);
-  const Vec3f above = Normals().shade(counter, kDownward, {}).value;
+  const Vec3f above = shade(Normals(), counter, kDownward).value;
   EXPECT_EQ(above, (Vec3f{0.0f, 1.0f, 0.0f}));
   Rayf fromBelow = kUpward;
   fromBelow.origin.y = -1.0f;
-  EXPECT_EQ(Normals().shade(counter, fromBelow, {}).value, (Vec3f{0.0f, -1.0f, 0.0f}));
+  EXPECT_EQ(shade(Normals(), counter, fromBelow).value, (Vec3f{0.0f, -1.0f, 0.0f}));
 }
 
 Film filmOf(const std::vector<FilmSample>& samples) {
@@ -152,7 +158,7 @@ TEST(Depth, IsMeasuredAlongTheViewDirection) {
   const auto tracer = floorTracer();
   RayCounter counter(*tracer);
   const Rayf slanted{.origin = {0.0f, 0.5f, 0.0f}, .direction = {0.6f, -0.8f, 0.0f}};
-  const FilmSample sample = Depth({0.0f, -1.0f, 0.0f}).shade(counter, slanted, {});
+  const FilmSample sample = shade(Depth({0.0f, -1.0f, 0.0f}), counter, slanted);
   EXPECT_NEAR(sample.value.x, 0.5f, 1e-6f);
 }
 
@@ -203,7 +209,7 @@ TEST(Heat, CountsSplitNodesAndObjects) {
   ASSERT_TRUE(isHit);
   ASSERT_GT(steps.splitNodes, 0u);
   RayCounter counter(tracer);
-  const Film film = filmOf({Heat().shade(counter, ray, {})});
+  const Film film = filmOf({shade(Heat(), counter, ray)});
   const Development development = Heat().develop(film);
   EXPECT_EQ(measured(development, "steps.splitNodes", film), static_cast<float>(steps.splitNodes));
   EXPECT_EQ(measured(development, "steps.leafNodes", film), static_cast<float>(steps.leafNodes));
