@@ -42,7 +42,9 @@ struct RayColumns {
   explicit RayColumns(std::span<const Ray<T>> rays) noexcept
       : count(rays.size()), records(rays.data()) {
     constexpr std::size_t kStride = sizeof(Ray<T>) / sizeof(T);
-    const T* const first = rays.empty() ? nullptr : &rays.front().origin.x;
+    if (rays.empty())
+      return;
+    const T* const first = &rays.front().origin.x;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       origin[axis] = {first + axis, kStride};
       direction[axis] = {first + 3 + axis, kStride};

@@ -91,7 +91,10 @@ std::size_t traceInPortions(std::size_t packetCount, const BatchOptions& options
           },
           std::plus<>());
     };
-    if (options.threadCount == 0)
+    // oneTBB complains on standard error where more are asked for.
+    const std::size_t allowed =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    if (options.threadCount == 0 || options.threadCount >= allowed)
       inParallel();
     else
       tbb::task_arena(static_cast<int>(options.threadCount)).execute(inParallel);
