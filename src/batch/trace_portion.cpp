@@ -8,6 +8,7 @@
 #include "traversal/ray_packet.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <type_traits>
 
 namespace planetree::detail {
@@ -21,16 +22,8 @@ void fill(const RayColumns<float>& rays, const PacketOrder::Place& place,
   for (std::size_t i = 0; i < kRayCount; ++i) {
     // Places without a ray get the last one once more.
     const std::size_t ray = place.rays[std::min(i, place.count - 1)];
-    if (rays.records != nullptr) {
-      // Number by number: as a whole it would go through memory.
-      const float* const from = &rays.records[ray].origin.x;
-      for (std::size_t a = 0; a < 3; ++a) {
-        packet.origin[a][i] = from[a];
-        packet.direction[a][i] = from[3 + a];
-      }
-      packet.tMin[i] = from[6];
-      packet.hitT[i] = from[7];
-    } else {
+    packet.rows[i] = rays.records != nullptr ? &rays.records[ray].origin.x : nullptr;
+    if (rays.records == nullptr) {
       for (std::size_t a = 0; a < 3; ++a) {
         packet.origin[a][i] = rays.origin[a][ray];
         packet.direction[a][i] = rays.direction[a][ray];
@@ -100,18 +93,16 @@ template <class T>
 std::size_t PortionTracer<T>::findAny(std::size_t begin, std::size_t end,
                                       std::span<std::uint8_t> flags) const noexcept {
   std::size_t hitCount = 0;
-  const auto write = [&](std::size_t ray, bool isHit) {
-    flags[ray] = isHit ? 1u : 0u;
-    hitCount += isHit ? 1u : 0u;
-  };
   const auto traceAlone = [&](std::size_t ray) {
-    write(ray, isOccluded(tree_, rays_[ray], options_));
+    flags[ray] = isOccluded(tree_, rays_[ray], options_) ? 1u : 0u;
+    hitCount += flags[ray];
   };
   if constexpr (std::is_same_v<T, float>) {
     if (kernels_ != nullptr) {
       traceGroups(begin, end, kernels_->findAnyOfPackets, traceAlone,
                   [&](std::size_t ray, const RayPacket& packet, std::size_t i) {
-                    write(ray, (packet.hits >> i & 1u) != 0);
+                    flags[ray] = packet.hits >> i & 1u;
+                    hitCount += flags[ray];
                   });
       return hitCount;
     }
@@ -146,12 +137,10 @@ void PortionTracer<T>::traceGroups(std::size_t begin, std::size_t end, SearchPac
       search(*tree_.wide, packets, count);
       for (std::size_t i = 0; i < count; ++i) {
         const RayPacket& packet = packets[i];
-        for (std::size_t k = 0; k < places[i].count; ++k) {
-          if ((packet.unanswered >> k & 1u) != 0)
-            traceAlone(places[i].rays[k]);
-          else
-            write(places[i].rays[k], packet, k);
-        }
+        for (std::size_t k = 0; k < places[i].count; ++k)
+          write(places[i].rays[k], packet, k);
+        for (std::uint32_t rest = packet.unanswered; rest != 0; rest &= rest - 1)
+          traceAlone(places[i].rays[static_cast<std::size_t>(std::countr_zero(rest))]);
       }
       begin += count;
     }

@@ -131,6 +131,45 @@ HWY_INLINE std::uint32_t nextOf(std::uint32_t axis) {
   return axis == 2u ? 0u : axis + 1u;
 }
 
+/// Fills in the arrays of the rays if these stand elsewhere.
+HWY_INLINE void loadRows(RayPacket& packet) {
+  if (packet.rows[0] == nullptr)
+    return;
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t ray = 0; ray < kLaneCount; ++ray) {
+    const float* const row = packet.rows[ray];
+    for (std::size_t a = 0; a < 3; ++a) {
+      packet.origin[a][ray] = row[a];
+      packet.direction[a][ray] = row[3 + a];
+    }
+    packet.tMin[ray] = row[6];
+    packet.hitT[ray] = row[7];
+  }
+#else
+  const hn::FixedTag<float, 4> d;
+  for (std::size_t ray = 0; ray < kLaneCount; ray += 4) {
+    // Four rows of four numbers become four columns.
+    const auto transpose = [&](std::size_t from, float* first, float* second, float* third,
+                               float* fourth) {
+      const auto a = hn::LoadU(d, packet.rows[ray] + from);
+      const auto b = hn::LoadU(d, packet.rows[ray + 1] + from);
+      const auto c = hn::LoadU(d, packet.rows[ray + 2] + from);
+      const auto e = hn::LoadU(d, packet.rows[ray + 3] + from);
+      const auto lowerAC = hn::InterleaveLower(d, a, c);
+      const auto lowerBE = hn::InterleaveLower(d, b, e);
+      const auto upperAC = hn::InterleaveUpper(d, a, c);
+      const auto upperBE = hn::InterleaveUpper(d, b, e);
+      hn::Store(hn::InterleaveLower(d, lowerAC, lowerBE), d, first + ray);
+      hn::Store(hn::InterleaveUpper(d, lowerAC, lowerBE), d, second + ray);
+      hn::Store(hn::InterleaveLower(d, upperAC, upperBE), d, third + ray);
+      hn::Store(hn::InterleaveUpper(d, upperAC, upperBE), d, fourth + ray);
+    };
+    transpose(0, packet.origin[0], packet.origin[1], packet.origin[2], packet.direction[0]);
+    transpose(4, packet.direction[1], packet.direction[2], packet.tMin, packet.hitT);
+  }
+#endif
+}
+
 /// Fills in the rays, as `prepareRay` does for each of them, and returns those that may hit
 /// something. Those out of range are left unanswered.
 HWY_INLINE std::uint32_t preparePacket(const WideTree& tree, RayPacket& packet, PacketRays& rays) {
@@ -852,6 +891,8 @@ void searchPackets(const WideTree& tree, RayPacket* packets, std::size_t count) 
   PacketRoom room;
   PacketSearch<Goal> searches[RayPacket::kGroupSize];
   std::uint32_t rest[RayPacket::kGroupSize];
+  for (std::size_t i = 0; i < count; ++i)
+    loadRows(packets[i]);
   for (std::size_t i = 0; i < count; ++i)
     rest[i] = searches[i].begin(tree, packets[i], i, room);
 

@@ -15,6 +15,9 @@ struct RayPacket {
   static constexpr std::size_t kGroupSize = 4;
 
   // --- what is asked; bit i of a set stands for ray i ---
+  /// Where the eight numbers of each ray stand, as in `Rayf`; null if they are in the arrays below,
+  /// which the kernel fills in otherwise.
+  const float* rows[kRayCount];
   alignas(64) float origin[3][kRayCount];
   alignas(64) float direction[3][kRayCount];
   alignas(64) float tMin[kRayCount];
