@@ -35,35 +35,20 @@ class InterleavedSearch {
   /// `finish(query, found)` is told when one is answered.
   template <class Next, class PutOff, class Finish>
   HWY_INLINE void run(const Next& next, const PutOff& putOff, const Finish& finish) {
-    std::uint8_t atNodes[kMostRays];
-    std::uint8_t atLeaves[2 * kMostRays];
-    std::size_t nodeCount = 0;
-    std::size_t leafCount = 0;
-    for (std::size_t i = 0; i < kMostRays; ++i) {
+    // Sets of walkers: bit i stands for number i.
+    std::uint32_t atNodes = 0;
+    std::uint32_t atLeaves = 0;
+    for (std::uint32_t i = 0; i < kMostRays; ++i) {
       WideQuery* const query = next();
       if (query == nullptr)
         break;
       start(walkers_[i], *query, putOff);
-      (walkers_[i].child.isNode() ? atNodes[nodeCount++] : atLeaves[leafCount++]) =
-          static_cast<std::uint8_t>(i);
+      atLeaves |= 1u << i;
     }
-    while (nodeCount + leafCount > 0) {
-      // While most rays are at nodes.
-      while (nodeCount > leafCount) {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < nodeCount; ++i) {
-          const std::uint8_t index = atNodes[i];
-          const bool isNode = step(walkers_[index]);
-          atNodes[kept] = index;
-          atLeaves[leafCount] = index;
-          kept += isNode ? 1u : 0u;
-          leafCount += isNode ? 0u : 1u;
-        }
-        nodeCount = kept;
-      }
-      for (std::size_t i = 0; i < leafCount; ++i) {
-        const std::uint8_t index = atLeaves[i];
-        Walker& walker = walkers_[index];
+    while (atLeaves != 0) {
+      for (std::uint32_t rest = atLeaves; rest != 0; rest &= rest - 1) {
+        const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(rest);
+        Walker& walker = walkers_[i];
         bool isBusy = true;
         while (isBusy && visitLeaves(walker)) {
           finish(*walker.query, walker.found);
@@ -72,10 +57,19 @@ class InterleavedSearch {
           if (isBusy)
             start(walker, *query, putOff);
         }
-        atNodes[nodeCount] = index;
-        nodeCount += isBusy ? 1u : 0u;
+        atNodes |= (isBusy ? 1u : 0u) << i;
       }
-      leafCount = 0;
+      atLeaves = 0;
+      // As long as most of them are at nodes.
+      while (hwy::PopCount(atNodes) > hwy::PopCount(atLeaves)) {
+        std::uint32_t stillAtNodes = 0;
+        for (std::uint32_t rest = atNodes; rest != 0; rest &= rest - 1) {
+          const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(rest);
+          stillAtNodes |= step(walkers_[i]) << i;
+        }
+        atLeaves |= atNodes & ~stillAtNodes;
+        atNodes = stillAtNodes;
+      }
     }
   }
 
@@ -101,8 +95,8 @@ class InterleavedSearch {
     walker.child = WideChild::fromWord(walker.stack.children[walker.size]);
   }
 
-  /// From a node to the next child; whether that is a node.
-  HWY_INLINE bool step(Walker& walker) {
+  /// From a node to the next child; 1 if that is a node, else 0.
+  HWY_INLINE std::uint32_t step(Walker& walker) {
     const WideQuery& query = *walker.query;
     Stack& stack = walker.stack;
     const WideRay ray(query);
@@ -116,7 +110,7 @@ class InterleavedSearch {
                              : pushNearestLast(node, query.octant, test, below, stack, size));
     walker.size = size - 1;
     prefetch(walker.child);
-    return walker.child.isNode();
+    return 1u ^ walker.child.word() >> 31u;
   }
 
   /// Fetches what the ray looks at when it is its turn again. Which kind that is no branch can
