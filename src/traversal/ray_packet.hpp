@@ -12,7 +12,7 @@ namespace planetree::detail {
 struct RayPacket {
   static constexpr std::size_t kRayCount = 16;
   /// So many packets are answered at a time.
-  static constexpr std::size_t kGroupSize = 4;
+  static constexpr std::size_t kGroupSize = 8;
 
   // --- what is asked; bit i of a set stands for ray i ---
   /// Where the eight numbers of each ray stand, as in `Rayf`; null if they are in the arrays below,
