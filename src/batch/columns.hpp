@@ -62,6 +62,12 @@ struct RayColumns {
       tMax = columnOf(rays.tMax);
   }
 
+  /// Fetches a ray that is wanted soon, where its numbers stand side by side.
+  void fetch(std::size_t i) const noexcept {
+    if (records != nullptr)
+      __builtin_prefetch(records + i);
+  }
+
   [[nodiscard]] Ray<T> operator[](std::size_t i) const noexcept {
     if (records != nullptr)
       return records[i];
@@ -78,6 +84,12 @@ class HitColumns {
  public:
   explicit HitColumns(std::span<Hit<T>> hits) noexcept : hits_(hits) {}
   explicit HitColumns(const HitArrays<T>& arrays) noexcept : arrays_(arrays) {}
+
+  /// Fetches where a hit will be written soon.
+  void fetch(std::size_t i) const noexcept {
+    if (!hits_.empty())
+      __builtin_prefetch(&hits_[i], 1);
+  }
 
   void write(std::size_t i, const Hit<T>& hit) const noexcept {
     if (!hits_.empty()) {

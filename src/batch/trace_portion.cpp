@@ -77,11 +77,13 @@ std::size_t PortionTracer<T>::findNearest(std::size_t begin, std::size_t end,
   };
   if constexpr (std::is_same_v<T, float>) {
     if (kernels_ != nullptr) {
-      traceGroups(begin, end, kernels_->findNearestOfPackets, traceAlone,
-                  [&](std::size_t ray, const RayPacket& packet, std::size_t i) {
-                    hits.write(ray, hitOf(tree_, packet, i));
-                    hitCount += packet.hits >> i & 1u;
-                  });
+      traceGroups(
+          begin, end, kernels_->findNearestOfPackets, traceAlone,
+          [&](std::size_t ray) { hits.fetch(ray); },
+          [&](std::size_t ray, const RayPacket& packet, std::size_t i) {
+            hits.write(ray, hitOf(tree_, packet, i));
+            hitCount += packet.hits >> i & 1u;
+          });
       return hitCount;
     }
   }
@@ -99,11 +101,12 @@ std::size_t PortionTracer<T>::findAny(std::size_t begin, std::size_t end,
   };
   if constexpr (std::is_same_v<T, float>) {
     if (kernels_ != nullptr) {
-      traceGroups(begin, end, kernels_->findAnyOfPackets, traceAlone,
-                  [&](std::size_t ray, const RayPacket& packet, std::size_t i) {
-                    flags[ray] = packet.hits >> i & 1u;
-                    hitCount += flags[ray];
-                  });
+      traceGroups(
+          begin, end, kernels_->findAnyOfPackets, traceAlone, [](std::size_t) {},
+          [&](std::size_t ray, const RayPacket& packet, std::size_t i) {
+            flags[ray] = packet.hits >> i & 1u;
+            hitCount += flags[ray];
+          });
       return hitCount;
     }
   }
@@ -122,18 +125,34 @@ void PortionTracer<T>::forEachRay(std::size_t begin, std::size_t end, const Visi
 }
 
 template <class T>
-template <class TraceAlone, class Write>
+template <class TraceAlone, class Fetch, class Write>
 void PortionTracer<T>::traceGroups(std::size_t begin, std::size_t end, SearchPackets search,
-                                   const TraceAlone& traceAlone, const Write& write) const {
+                                   const TraceAlone& traceAlone, const Fetch& fetch,
+                                   const Write& write) const {
   if constexpr (std::is_same_v<T, float>) {
     RayPacket packets[RayPacket::kGroupSize];
     PacketOrder::Place places[RayPacket::kGroupSize];
-    while (begin < end) {
-      const std::size_t count = std::min(RayPacket::kGroupSize, end - begin);
+    PacketOrder::Place nextPlaces[RayPacket::kGroupSize];
+    const auto findNext = [&](std::size_t from) {
+      const std::size_t count = std::min(RayPacket::kGroupSize, end - from);
       for (std::size_t i = 0; i < count; ++i) {
-        places[i] = order_[begin + i];
-        fill(rays_, places[i], packets[i]);
+        nextPlaces[i] = order_[from + i];
+        for (std::size_t k = 0; k < nextPlaces[i].count; ++k)
+          rays_.fetch(nextPlaces[i].rays[k]);
       }
+      return count;
+    };
+    std::size_t nextCount = findNext(begin);
+    while (begin < end) {
+      const std::size_t count = nextCount;
+      for (std::size_t i = 0; i < count; ++i) {
+        places[i] = nextPlaces[i];
+        fill(rays_, places[i], packets[i]);
+        for (std::size_t k = 0; k < places[i].count; ++k)
+          fetch(places[i].rays[k]);
+      }
+      begin += count;
+      nextCount = findNext(begin);
       search(*tree_.wide, packets, count);
       for (std::size_t i = 0; i < count; ++i) {
         const RayPacket& packet = packets[i];
@@ -142,7 +161,6 @@ void PortionTracer<T>::traceGroups(std::size_t begin, std::size_t end, SearchPac
         for (std::uint32_t rest = packet.unanswered; rest != 0; rest &= rest - 1)
           traceAlone(places[i].rays[static_cast<std::size_t>(std::countr_zero(rest))]);
       }
-      begin += count;
     }
   }
 }

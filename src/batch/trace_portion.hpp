@@ -36,10 +36,11 @@ class PortionTracer {
 
   template <class Visit>
   void forEachRay(std::size_t begin, std::size_t end, const Visit& visit) const;
-  /// Rays of packets that `search` leaves unanswered go to `traceAlone`, the others to `write`.
-  template <class TraceAlone, class Write>
+  /// Rays of packets that `search` leaves unanswered go to `traceAlone`, the others to `write`;
+  /// `fetch` is told of each some time before.
+  template <class TraceAlone, class Fetch, class Write>
   void traceGroups(std::size_t begin, std::size_t end, SearchPackets search,
-                   const TraceAlone& traceAlone, const Write& write) const;
+                   const TraceAlone& traceAlone, const Fetch& fetch, const Write& write) const;
 
   const TreeView<T>& tree_;
   const RayColumns<T>& rays_;
