@@ -32,7 +32,7 @@ static_assert(RayPacket::kRayCount == kLaneCount);
 constexpr std::size_t kFewestInPacket = 6;
 constexpr float kMostSpread = 0.25f;
 /// From here on single rays are quicker below a node.
-constexpr std::size_t kMostOnTheirOwn = 2;
+constexpr std::size_t kMostOnTheirOwn = 1;
 
 // Numbers in double, as many as a vector holds.
 constexpr std::size_t kDoublesPerVector = HWY_MIN(kLaneCount, HWY_LANES(double));
