@@ -610,21 +610,22 @@ class PacketSearch {
     size_ = 0;
     tMaxIsOld_ = true;
     push(tree_->root, together, tMin());
-    while (size_ > 0) {
+    PacketStack& stack = room_->stack;
+    while (true) {
       --size_;
-      const WideChild child = WideChild::fromWord(room_->stack.children[size_]);
-      const std::uint32_t rays =
-          room_->stack.rays[size_] & alive_ & notBehind(room_->stack.tNear[size_]);
-      if (rays == 0)
-        continue;
-      if (sizeOf(rays) <= kMostOnTheirOwn)
-        leave(child, rays);
-      else if (child.isNode())
-        visitNode(tree_->nodes[child.nodeIndex()], bundle, rays);
-      else
-        visitBlocks(child, sheared, rays);
-      if (Goal::kStopsAtAnyHit && alive_ == 0)
-        size_ = 0;
+      WideChild child = WideChild::fromWord(stack.children[size_]);
+      std::uint32_t rays = stack.rays[size_] & alive_ & notBehind(stack.tNear[size_]);
+      // The nearest child of a node is not looked up on the stack, where it would be later.
+      while (rays != 0 && child.isNode() && sizeOf(rays) > kMostOnTheirOwn)
+        rays = visitNode(tree_->nodes[child.nodeIndex()], bundle, rays, child);
+      if (rays != 0) {
+        if (sizeOf(rays) <= kMostOnTheirOwn)
+          leave(child, rays);
+        else
+          visitBlocks(child, sheared, rays);
+      }
+      if (size_ == 0 || (Goal::kStopsAtAnyHit && alive_ == 0))
+        break;
     }
     return true;
   }
@@ -647,16 +648,27 @@ class PacketSearch {
     return bitsOf(isBefore);
   }
 
-  HWY_INLINE void visitNode(const WideNode& node, const RayBundle& bundle, std::uint32_t rays) {
+  /// Puts off the children that rays meet, but for the nearest, which `child` becomes. Returns the
+  /// rays that meet this one.
+  HWY_INLINE std::uint32_t visitNode(const WideNode& node, const RayBundle& bundle,
+                                     std::uint32_t rays, WideChild& child) {
     BoxTest test;
     bundle.test(node, tMax(), test);
     const SlotOrder& order = node.orders[octant_];
+    std::uint32_t nearestRays = 0;
     // From the farthest to the nearest, so that this one comes to lie on top.
-    for (std::uint32_t met = findMetInOrder(order, test); met != 0; met &= met - 1)
-      pushIfMet(node, order[hwy::Num0BitsBelowLS1Bit_Nonzero32(met)], rays);
+    for (std::uint32_t met = findMetInOrder(order, test); met != 0; met &= met - 1) {
+      const std::size_t slot = order[hwy::Num0BitsBelowLS1Bit_Nonzero32(met)];
+      const std::uint32_t meeting = pushIfMet(node, slot, rays);
+      nearestRays = meeting != 0 ? meeting : nearestRays;
+      child = meeting != 0 ? WideChild::fromWord(childWords(node)[slot]) : child;
+    }
+    size_ -= nearestRays != 0 ? 1u : 0u;
+    return nearestRays;
   }
 
-  HWY_INLINE void pushIfMet(const WideNode& node, std::size_t slot, std::uint32_t rays) {
+  /// Returns the rays that meet the child, which is put off if there are any.
+  HWY_INLINE std::uint32_t pushIfMet(const WideNode& node, std::size_t slot, std::uint32_t rays) {
     const FloatTag d;
     const auto plane = [&](std::size_t a, std::uint32_t isFar) {
       return hn::Set(d, node.planes[2 * a + ((octant_ >> a & 1u) ^ isFar)][slot]);
@@ -674,9 +686,11 @@ class PacketSearch {
       room_->stack.tNear[size_].put(i, tNear);
       isMet[i] = hn::Le(tNear, tFar);
     });
+    const std::uint32_t meeting = bitsOf(isMet) & rays;
     room_->stack.children[size_] = childWords(node)[slot];
-    room_->stack.rays[size_] = bitsOf(isMet) & rays;
-    size_ += room_->stack.rays[size_] != 0 ? 1u : 0u;
+    room_->stack.rays[size_] = meeting;
+    size_ += meeting != 0 ? 1u : 0u;
+    return meeting;
   }
 
   HWY_INLINE void visitBlocks(WideChild child, const ShearedBundle& sheared, std::uint32_t rays) {
