@@ -12,13 +12,13 @@ constexpr double kMostBeforeTheEnd = 0.999;
 
 }  // namespace
 
-void BatchMonitor::throwIfStopped() const {
-  if (control_.stopToken.stop_requested())
+void throwIfStopped(const BatchControl& control) {
+  if (control.stopToken.stop_requested())
     throw Cancelled();
 }
 
 void BatchMonitor::advance(std::size_t packetCount) {
-  throwIfStopped();
+  throwIfStopped(control_);
   if (!control_.onProgress)
     return;
   doneCount_ += packetCount;

@@ -1,5 +1,6 @@
 #include <planetree/batch/trace_batch.hpp>
 #include <planetree/error.hpp>
+#include <planetree/traversal/find_intersection.hpp>
 
 #include "batch/batch_monitor.hpp"
 #include "batch/columns.hpp"
@@ -22,6 +23,9 @@ namespace {
 constexpr std::size_t kPortion = 256;
 /// Batches of no more packets are not worth waking other threads.
 constexpr std::size_t kMostForOneThread = 64;
+
+/// Of no more rays each is traced on its own: that costs less than to look what they share.
+constexpr std::size_t kFewRays = 12;
 
 void requireSize(std::size_t size, std::size_t rayCount, const std::string& what) {
   if (size == rayCount)
@@ -68,8 +72,8 @@ void requireSizes(const HitArrays<T>& hits, std::size_t rayCount) {
 template <class Trace>
 std::size_t traceInPortions(std::size_t packetCount, const BatchOptions& options,
                             const BatchControl& control, const Trace& trace) {
+  throwIfStopped(control);
   BatchMonitor monitor(control, packetCount);
-  monitor.throwIfStopped();
   const auto tracePortions = [&](std::size_t begin, std::size_t end) {
     std::size_t hitCount = 0;
     for (; begin < end; begin += std::min(kPortion, end - begin)) {
@@ -98,9 +102,21 @@ std::size_t traceInPortions(std::size_t packetCount, const BatchOptions& options
       inParallel();
     else
       tbb::task_arena(static_cast<int>(options.threadCount)).execute(inParallel);
-    monitor.throwIfStopped();
+    throwIfStopped(control);
   }
   monitor.finish();
+  return hitCount;
+}
+
+/// The same for rays that are too few to have something in common.
+template <class TraceOne>
+std::size_t traceFew(std::size_t rayCount, const BatchControl& control, const TraceOne& traceOne) {
+  throwIfStopped(control);
+  std::size_t hitCount = 0;
+  for (std::size_t ray = 0; ray < rayCount; ++ray)
+    hitCount += traceOne(ray) ? 1u : 0u;
+  if (control.onProgress)
+    control.onProgress(1.0);
   return hitCount;
 }
 
@@ -108,6 +124,13 @@ template <class T>
 std::size_t findNearest(const TreeView<T>& tree, const RayColumns<T>& rays,
                         const HitColumns<T>& hits, const BatchOptions& options,
                         const BatchControl& control) {
+  if (rays.count <= kFewRays) {
+    return traceFew(rays.count, control, [&](std::size_t ray) {
+      const auto hit = findIntersection(tree, rays[ray], options.query);
+      hits.write(ray, hit ? *hit : Hit<T>{});
+      return hit.has_value();
+    });
+  }
   const PortionTracer<T> tracer(tree, rays, options.query);
   return traceInPortions(
       tracer.packetCount(), options, control,
@@ -119,6 +142,13 @@ std::size_t findAny(const TreeView<T>& tree, const RayColumns<T>& rays,
                     std::span<std::uint8_t> flags, const BatchOptions& options,
                     const BatchControl& control) {
   requireSize(flags.size(), rays.count, "flags");
+  if (rays.count <= kFewRays) {
+    return traceFew(rays.count, control, [&](std::size_t ray) {
+      const bool isHit = isOccluded(tree, rays[ray], options.query);
+      flags[ray] = isHit ? 1u : 0u;
+      return isHit;
+    });
+  }
   const PortionTracer<T> tracer(tree, rays, options.query);
   return traceInPortions(
       tracer.packetCount(), options, control,
