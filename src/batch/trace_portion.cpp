@@ -46,8 +46,8 @@ Hitf hitOf(const TreeView<float>& tree, const RayPacket& packet, std::size_t i) 
   hit.primitive = packet.hitObject[i] - tree.geometries[hit.geometry].firstObject;
   hit.normal = {packet.normal[0][i], packet.normal[1][i], packet.normal[2][i]};
   if ((packet.flatHits >> i & 1u) != 0) {
-    const Vec3d along(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]);
-    hit.normal = static_cast<Vec3f>(normalized(-along));
+    const Vec3f along{packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]};
+    hit.normal = static_cast<Vec3f>(normalized(-static_cast<Vec3d>(along)));
   }
   return hit;
 }

@@ -143,7 +143,7 @@ struct WideTree {
   std::uint32_t commonMask = 0;  ///< what the masks of all geometries have in common
   WideChild root = WideChild::end();
   bool holdsObjects = false;  ///< there are single objects, not only blocks
-  bool isLarge = false;  ///< much of it is often far away, and worth fetching ahead
+  bool isLarge = false;       ///< much of it is often far away, and worth fetching ahead
   std::span<const WideNode> nodes = {};
   std::span<const TriangleBlock> blocks = {};
 
