@@ -697,21 +697,32 @@ class PacketSearch {
     const std::uint32_t end = child.firstBlock() + child.blockCount();
     for (std::uint32_t index = child.firstBlock(); index < end; ++index) {
       const TriangleBlock& block = tree_->blocks[index];
-      std::uint32_t known = 0;  // corners that have been sheared
-      for (std::uint32_t lanes = sheared.findMet(block); lanes != 0; lanes &= lanes - 1) {
+      const std::uint32_t met = sheared.findMet(block);
+      std::uint32_t needed = 0;  // corners
+      for (std::uint32_t lanes = met; lanes != 0; lanes &= lanes - 1) {
+        const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+          needed |= 1u << block.corners[corner][lane];
+      }
+      for (; needed != 0; needed &= needed - 1)
+        shear(block, hwy::Num0BitsBelowLS1Bit_Nonzero32(needed));
+      // First all are tested, then decided: which of them have candidates no branch can foresee.
+      std::uint32_t candidates[TriangleBlock::kLaneCount];
+      std::uint32_t withCandidates = 0;
+      for (std::uint32_t lanes = met; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-          const std::uint32_t position = block.corners[corner][lane];
-          if ((known >> position & 1u) == 0)
-            shear(block, position);
-          known |= 1u << position;
-        }
-        testTriangle(block, index, lane, rays);
-        if constexpr (Goal::kStopsAtAnyHit) {
-          rays &= alive_;
-          if (rays == 0)
-            return;
-        }
+        candidates[lane] = findCandidates(block, lane) & rays;
+        withCandidates |= (candidates[lane] != 0 ? 1u : 0u) << lane;
+      }
+      for (; withCandidates != 0; withCandidates &= withCandidates - 1) {
+        const auto lane =
+            static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(withCandidates));
+        decide(block, index, lane, candidates[lane]);
+      }
+      if constexpr (Goal::kStopsAtAnyHit) {
+        rays &= alive_;
+        if (rays == 0)
+          return;
       }
     }
   }
@@ -730,13 +741,18 @@ class PacketSearch {
     });
   }
 
+  [[nodiscard]] HWY_INLINE const PacketCorner& cornerOf(const TriangleBlock& block,
+                                                        std::uint32_t lane,
+                                                        std::size_t corner) const {
+    return room_->corners[block.corners[corner][lane]];
+  }
+
   /// As `BlockRay::test`, with the roles of rays and triangles exchanged.
-  HWY_INLINE void testTriangle(const TriangleBlock& block, std::uint32_t index, std::uint32_t lane,
-                               std::uint32_t rays) {
+  HWY_INLINE std::uint32_t findCandidates(const TriangleBlock& block, std::uint32_t lane) const {
     const FloatTag d;
-    const PacketCorner& a = room_->corners[block.corners[0][lane]];
-    const PacketCorner& b = room_->corners[block.corners[1][lane]];
-    const PacketCorner& c = room_->corners[block.corners[2][lane]];
+    const PacketCorner& a = cornerOf(block, lane, 0);
+    const PacketCorner& b = cornerOf(block, lane, 1);
+    const PacketCorner& c = cornerOf(block, lane, 2);
     Mask isCandidate[kVectorCount];
     forEachVector([&](auto i) {
       const Floats u = hn::Sub(hn::Mul(c.x[i], b.y[i]), hn::Mul(c.y[i], b.x[i]));
@@ -746,15 +762,16 @@ class PacketSearch {
       isCandidate[i] =
           hn::Or(hn::Ge(hn::Min(hn::Min(u, v), w), zero), hn::Le(hn::Max(hn::Max(u, v), w), zero));
     });
-    const std::uint32_t candidates = bitsOf(isCandidate) & rays;
-    if (candidates != 0)
-      decide(a, b, c, block.objects[lane], index, lane, candidates);
+    return bitsOf(isCandidate);
   }
 
   /// As `acceptTriangle`, for the rays of a set.
-  HWY_INLINE void decide(const PacketCorner& a, const PacketCorner& b, const PacketCorner& c,
-                         std::uint32_t object, std::uint32_t block, std::uint32_t lane,
+  HWY_INLINE void decide(const TriangleBlock& block, std::uint32_t index, std::uint32_t lane,
                          std::uint32_t rays) {
+    const std::uint32_t object = block.objects[lane];
+    const PacketCorner& a = cornerOf(block, lane, 0);
+    const PacketCorner& b = cornerOf(block, lane, 1);
+    const PacketCorner& c = cornerOf(block, lane, 2);
     const FloatTag d;
     const WordTag words;
     std::uint32_t accepted = 0;
@@ -785,7 +802,7 @@ class PacketSearch {
                     words, to + at);
         };
         write(object, packet_->hitObject);
-        write(block, hits_.block);
+        write(index, hits_.block);
         write(lane, hits_.lane);
         for (std::size_t part = 0; part < kPartCount; ++part) {
           const std::size_t from = at + part * kDoublesPerVector;
