@@ -46,7 +46,7 @@ std::size_t findWidth(const RayColumns<T>& rays, const RayDistance<T>& distance)
     return 0;
   double step = distance.between(0, 1);
   std::size_t width = 1;
-  for (; width < most; ++width) {
+  for (; width <= most; ++width) {
     const double next = distance.between(width - 1, width);
     if (next > kLeastJump * step)
       break;
@@ -54,7 +54,7 @@ std::size_t findWidth(const RayColumns<T>& rays, const RayDistance<T>& distance)
       return 0;
     step = next;
   }
-  if (width < kFewestColumns || width == most || rays.count % width != 0)
+  if (width < kFewestColumns || width > most || rays.count % width != 0)
     return 0;
   const bool areRowsAlike = distance.between(0, width) <= kMostRowStep * step &&
                             distance.between(width, 2 * width) <= kMostRowStep * step &&

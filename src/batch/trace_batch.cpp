@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <functional>
@@ -19,10 +20,10 @@ namespace planetree {
 namespace detail {
 namespace {
 
-/// Packets that one thread traces before it looks up: some hundred microseconds.
-constexpr std::size_t kPortion = 256;
+/// Packets that one thread traces before it looks up: about a hundred microseconds.
+constexpr std::size_t kPortion = 64;
 /// Batches of no more packets are not worth waking other threads.
-constexpr std::size_t kMostForOneThread = 64;
+constexpr std::size_t kMostForOneThread = kPortion;
 
 /// Of no more rays each is traced on its own: that costs less than to look what they share.
 constexpr std::size_t kFewRays = 12;
@@ -31,7 +32,7 @@ void requireSize(std::size_t size, std::size_t rayCount, const std::string& what
   if (size == rayCount)
     return;
   throw Error(ErrorCode::InvalidOption,
-              what + " has room for " + std::to_string(size) + ", and the batch has " +
+              what + " has " + std::to_string(size) + " elements, and the batch " +
                   std::to_string(rayCount) + " rays",
               "Hand over spans of one size.");
 }
@@ -87,22 +88,28 @@ std::size_t traceInPortions(std::size_t packetCount, const BatchOptions& options
   if (packetCount <= kMostForOneThread || options.threadCount == 1) {
     hitCount = tracePortions(0, packetCount);
   } else {
+    // A group of its own: the end of a caller's group must not cut this one short. The mode of
+    // rounding and of denormals is that of the calling thread, in all threads.
+    using Context = tbb::task_group_context;
+    Context context(Context::isolated, Context::default_traits | Context::fp_settings);
     const auto inParallel = [&] {
       hitCount = tbb::parallel_reduce(
           tbb::blocked_range<std::size_t>(0, packetCount, kPortion), std::size_t{0},
           [&](const tbb::blocked_range<std::size_t>& range, std::size_t sum) {
             return sum + tracePortions(range.begin(), range.end());
           },
-          std::plus<>());
+          std::plus<>(), context);
     };
-    // oneTBB complains on standard error where more are asked for.
-    const std::size_t allowed =
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    if (options.threadCount == 0 || options.threadCount >= allowed)
-      inParallel();
-    else
-      tbb::task_arena(static_cast<int>(options.threadCount)).execute(inParallel);
-    throwIfStopped(control);
+    if (options.threadCount == 0) {
+      // A thread that waits must not begin another task of the caller, who may hold a lock.
+      tbb::this_task_arena::isolate(inParallel);
+    } else {
+      // oneTBB complains on standard error where more are asked for than there are.
+      const std::size_t allowed =
+          tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+      const std::size_t wanted = options.threadCount;
+      tbb::task_arena(static_cast<int>(std::min(wanted, allowed))).execute(inParallel);
+    }
   }
   monitor.finish();
   return hitCount;
@@ -115,8 +122,8 @@ std::size_t traceFew(std::size_t rayCount, const BatchControl& control, const Tr
   std::size_t hitCount = 0;
   for (std::size_t ray = 0; ray < rayCount; ++ray)
     hitCount += traceOne(ray) ? 1u : 0u;
-  if (control.onProgress)
-    control.onProgress(1.0);
+  throwIfStopped(control);
+  BatchMonitor(control, rayCount).finish();
   return hitCount;
 }
 

@@ -26,6 +26,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class Goal>
 class InterleavedSearch {
  public:
+  /// Measured: 4 and 8 are slower, 24 no faster.
   static constexpr std::size_t kMostRays = 16;
 
   explicit HWY_INLINE InterleavedSearch(const WideTree& tree) : tree_(tree) {}
@@ -74,7 +75,8 @@ class InterleavedSearch {
   }
 
  private:
-  static constexpr std::size_t kFetchedLines = 8;
+  /// Of a node all, of a block five would do: to tell them apart costs more.
+  static constexpr std::size_t kFetchedLines = sizeof(WideNode) / 64;
 
   struct Walker {
     WideQuery* query;

@@ -13,11 +13,9 @@
 #include "traversal/ray_packet.hpp"
 
 #include <hwy/highway.h>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <new>
 
 HWY_BEFORE_NAMESPACE();
@@ -27,11 +25,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 static_assert(RayPacket::kRayCount == kLaneCount);
 
-/// With fewer rays that go the same way, or such that go apart so far, each is searched for on its
-/// own.
+/// With fewer rays that go the same way, or such that go apart so far (in parts of the largest
+/// component), each is searched for on its own: the bounds of all would meet nearly everything.
 constexpr std::size_t kFewestInPacket = 6;
 constexpr float kMostSpread = 0.25f;
-/// From here on single rays are quicker below a node.
+/// With no more rays below a node each goes on by itself. Measured: 0, 2, 3 and 5 are slower.
 constexpr std::size_t kMostOnTheirOwn = 1;
 
 // Numbers in double, as many as a vector holds.
@@ -126,10 +124,6 @@ struct PacketRays {
     return (isMostly[1] >> ray & 1u) | (isMostly[2] >> ray & 1u) << 1u;
   }
 };
-
-HWY_INLINE std::uint32_t nextOf(std::uint32_t axis) {
-  return axis == 2u ? 0u : axis + 1u;
-}
 
 /// Fills in the arrays of the rays if these stand elsewhere.
 HWY_INLINE void loadRows(RayPacket& packet) {
@@ -272,7 +266,7 @@ class RayBundle {
       greatestInverse_[a] = inverse.greatest;
       nearToCenter_[a] = isNegative ? toCenter.greatest : toCenter.least;
       farToCenter_[a] = isNegative ? toCenter.least : toCenter.greatest;
-      // Twice that of a single ray: there is one more rounding.
+      // Twice that of a single ray: docs/numerics.md, section 3.
       slack_[a] = 2.0f * kSlackInRoundoffs<float> * kRoundoff<float> * reach *
                   larger(magnitude(inverse.least), magnitude(inverse.greatest));
       planes_[a] = (2 * a + (isNegative ? 1u : 0u)) * kLaneCount;
@@ -344,15 +338,15 @@ class ShearedBundle {
       const auto fromOrigin = [&](std::size_t k, float origin) {
         return hn::Sub(row(k), hn::Set(d, origin));
       };
-      const Floats nearZ = fromOrigin(2, origin_[2].greatest);
-      const Floats farZ = fromOrigin(2, origin_[2].least);
+      const Floats leastZ = fromOrigin(2, origin_[2].greatest);
+      const Floats greatestZ = fromOrigin(2, origin_[2].least);
       for (std::size_t k = 0; k < 2; ++k) {
         const Floats lowShear = hn::Set(d, shear_[k].least);
         const Floats highShear = hn::Set(d, shear_[k].greatest);
-        const Floats a = hn::Mul(lowShear, nearZ);
-        const Floats b = hn::Mul(lowShear, farZ);
-        const Floats c = hn::Mul(highShear, nearZ);
-        const Floats e = hn::Mul(highShear, farZ);
+        const Floats a = hn::Mul(lowShear, leastZ);
+        const Floats b = hn::Mul(lowShear, greatestZ);
+        const Floats c = hn::Mul(highShear, leastZ);
+        const Floats e = hn::Mul(highShear, greatestZ);
         least[k].vectors[i] =
             hn::Sub(fromOrigin(k, origin_[k].greatest), hn::Max(hn::Max(a, b), hn::Max(c, e)));
         greatest[k].vectors[i] =
@@ -450,6 +444,7 @@ struct OwnQuery : WideQuery {
 
 /// What a ray had put off when it left its packet, the nearest last.
 struct OwnStack {
+  /// More than rays of measured scenes ever had put off; beyond it a ray stays in its packet.
   static constexpr std::size_t kCapacity = 32;
 
   std::size_t size;
@@ -470,6 +465,9 @@ class PacketSearch {
     room_ = &room;
     packet.hits = 0;
     packet.flatHits = 0;
+    alive_ = 0;
+    left_ = 0;
+    tMaxIsOld_ = true;
     const WordTag words;
     forEachVector([&](auto i) {
       hn::Store(hn::Set(words, 0xFFFF'FFFFu), words, packet.hitObject + i * kLanesPerVector);
@@ -480,7 +478,6 @@ class PacketSearch {
     if (asked == 0)
       return 0;
     const std::uint32_t together = findLikeFirst(rays_, asked);
-    left_ = 0;
     const bool areTogether = sizeOf(together) >= kFewestInPacket && searchTogether(together);
     return areTogether ? (asked & ~together) | left_ : asked;
   }
@@ -631,8 +628,9 @@ class PacketSearch {
   }
 
   static HWY_INLINE void setAxes(std::uint32_t main, std::uint32_t (&axes)[3]) {
-    axes[0] = nextOf(main);
-    axes[1] = nextOf(axes[0]);
+    const Axis x = nextAxis(static_cast<Axis>(main));
+    axes[0] = static_cast<std::uint32_t>(x);
+    axes[1] = static_cast<std::uint32_t>(nextAxis(x));
     axes[2] = main;
   }
 
@@ -869,8 +867,8 @@ class PacketSearch {
 
   // --- rays on their own ---
 
-  /// Rays that have no company below this child, the one just taken from the stack, leave the
-  /// packet, with all that they have put off.
+  /// Rays that have no company below this child, which stands on the stack at `size_`, leave the
+  /// packet with all that they have put off, or, if that is too much, search there and come back.
   HWY_INLINE void leave(WideChild child, std::uint32_t rays) {
     for (; rays != 0; rays &= rays - 1) {
       const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(rays);
@@ -919,6 +917,9 @@ class PacketSearch {
 
 template <class Goal>
 void searchPackets(const WideTree& tree, RayPacket* packets, std::size_t count) noexcept {
+  static_assert(sizeof(PacketRoom) + RayPacket::kGroupSize * sizeof(PacketSearch<Goal>) +
+                    sizeof(InterleavedSearch<Goal>) <
+                500'000);  // the stack that trace_batch.hpp speaks of
   PacketRoom room;
   PacketSearch<Goal> searches[RayPacket::kGroupSize];
   std::uint32_t rest[RayPacket::kGroupSize];

@@ -11,7 +11,8 @@ namespace planetree::detail {
 /// hit. Plain numbers only, so that kernels share no code with the rest of the library.
 struct RayPacket {
   static constexpr std::size_t kRayCount = 16;
-  /// So many packets are answered at a time.
+  /// So many packets are answered at a time, so that rays on their own find others to take turns
+  /// with. Measured: 4 is 3 % slower with rays that go all ways, 16 no faster.
   static constexpr std::size_t kGroupSize = 8;
 
   // --- what is asked; bit i of a set stands for ray i ---

@@ -8,8 +8,8 @@
 
 namespace planetree {
 
-/// What the caller happens to know of the rays of a batch. Answers and speed do not depend on it:
-/// what rays have in common is found out from the rays.
+/// What the caller happens to know of the rays of a batch, as other libraries ask for it. Neither
+/// answers nor speed depend on it so far: what rays have in common is found out from the rays.
 enum class RayHint : std::uint8_t {
   None,
   Coherent,    ///< neighbours have nearly the same origin and direction, as those of a camera
@@ -19,11 +19,13 @@ enum class RayHint : std::uint8_t {
 
 /// How a batch of rays is traced.
 struct BatchOptions {
-  /// For all rays of the batch. With anything but the defaults rays are traced one by one.
+  /// For all rays of the batch. Where these leave something out (but for a mask that sees all
+  /// geometries), rays are traced one by one.
   QueryOptions query = {};
 
-  /// Threads to trace with, at most as many as oneTBB may use; 0 means all of these, in the
-  /// caller's oneTBB arena. Batches of some hundred rays stay in the caller's thread in any case.
+  /// Threads to trace with, at most as many as oneTBB may use; 0 means all threads of the caller's
+  /// oneTBB arena. Batches of about a thousand rays stay in the caller's thread in any case. All
+  /// threads round and flush denormals as the calling one does.
   std::uint32_t threadCount = 0;
 
   RayHint hint = RayHint::None;

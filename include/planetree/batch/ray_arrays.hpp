@@ -20,7 +20,8 @@ struct RayArrays {
 };
 
 /// Hits as an array for each of their numbers, of the length of the rays, or empty if nobody wants
-/// it. A ray without a hit has t infinite, `kNoId` for the ids, and 0 in all others.
+/// it; `Hit::instance`, which is always 0, has none. A ray without a hit has t infinite, `kNoId`
+/// for the ids, and 0 in all others.
 template <class T>
 struct HitArrays {
   std::span<T> t = {};

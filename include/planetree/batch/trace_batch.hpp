@@ -11,12 +11,17 @@
 #include <span>
 
 /// Many rays in one call. The answers are those of asking ray by ray, bit for bit, in the order of
-/// the rays, whatever the order, the hint and the number of threads are; but neighbours that go the
-/// same way are taken along together, which is several times as fast for the rays of a camera.
+/// the rays, whatever the order, the hint and the number of threads are.
+///
+/// Among triangles in float, without choices that leave something out, rays are taken along
+/// together: sixteen that go the same way as one packet, as rays of a camera do, row by row of the
+/// picture; others take turns, so that they do not wait for memory. That is up to three times as
+/// fast as ray by ray. Shapes, doubles and choices gain the threads alone.
 ///
 /// Spans must have one size, or `Error` with `InvalidOption` is thrown. Rays and hits must not
-/// overlap. A batch takes no memory that grows with the number of rays. Any number of batches at
-/// once, from any threads, also from oneTBB tasks of the caller.
+/// overlap. A batch takes no memory that grows with the number of rays; each thread needs some 500
+/// kilobytes of stack. Any number of batches at once, from any threads, also from oneTBB tasks of
+/// the caller.
 namespace planetree {
 
 /// The nearest hit of each ray; a miss is a default-made hit. Returns how many rays hit something.

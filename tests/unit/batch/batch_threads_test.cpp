@@ -3,10 +3,12 @@
 #include "support/batch_rays.hpp"
 #include "support/batch_scenes.hpp"
 #include "support/compare_batches.hpp"
+#include "support/flush_to_zero.hpp"
 
 #include <gtest/gtest.h>
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 #include <cstddef>
@@ -71,6 +73,49 @@ TEST_F(BatchThreads, BatchesRunInsideAParallelLoopOfTheCaller) {
   tbb::parallel_for(0, 12,
                     [&](int i) { failures += agrees(static_cast<std::uint32_t>(i % 4)) ? 0 : 1; });
   EXPECT_EQ(failures, 0);
+}
+
+TEST_F(BatchThreads, ABatchInsideACancelledGroupOfTheCallerAnswersAllRays) {
+  for (const std::uint32_t threadCount : {0u, 2u}) {
+    tbb::task_group group;
+    bool isRight = false;
+    group.run_and_wait([&] {
+      group.cancel();
+      isRight = agrees(threadCount);
+    });
+    EXPECT_TRUE(isRight) << threadCount;
+  }
+}
+
+TEST_F(BatchThreads, AllThreadsFlushDenormalsAsTheCallerDoes) {
+  struct Witness {
+    bool flushes = false;
+    std::atomic<int> others = 0;
+
+    static bool isFlushed() noexcept {
+      const volatile float denormal = 0x1p-130f;
+      return denormal * 0.5f == 0.0f;
+    }
+  };
+  // A first batch, so that oneTBB has seen threads that do not flush.
+  EXPECT_TRUE(agrees(0));
+  const test::FlushToZero mode(true);
+  Witness witness;
+  witness.flushes = Witness::isFlushed();
+  const HitFilter filter(
+      [](const Hitf&, void* context) noexcept {
+        Witness& seen = *static_cast<Witness*>(context);
+        if (Witness::isFlushed() != seen.flushes)
+          ++seen.others;
+        return true;
+      },
+      &witness);
+  std::vector<Hitf> hits(rays_.size());
+  for (const std::uint32_t threadCount : {0u, 1u, 2u}) {
+    static_cast<void>(tree_.findIntersections(
+        rays_, hits, {.query = {.filter = filter}, .threadCount = threadCount}));
+    EXPECT_EQ(witness.others, 0) << threadCount;
+  }
 }
 
 TEST_F(BatchThreads, ABatchWithOneThreadStaysInTheThreadOfTheCaller) {
