@@ -18,7 +18,7 @@ namespace {
 /// Walks a wide tree and checks what must hold for every node of it.
 class WideWalk {
  public:
-  WideWalk(const TreeView<float>& tree) : tree_(tree), wide_(*tree.wide) {
+  explicit WideWalk(const TreeView<float>& tree) : wide_(*tree.wide) {
     if (!tree.bounds.isEmpty())
       visit(wide_.root, tree.bounds);
   }
@@ -84,7 +84,6 @@ class WideWalk {
     return true;
   }
 
-  const TreeView<float>& tree_;
   const WideTree& wide_;
 };
 
