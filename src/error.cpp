@@ -9,6 +9,10 @@ std::string describe(const std::string& problem, const std::string& advice,
   if (place.line != Error::kNone) {
     text += text.empty() ? "line " : ":";
     text += std::to_string(place.line);
+    if (place.column != Error::kNone) {
+      text += ':';
+      text += std::to_string(place.column);
+    }
   }
   if (!text.empty())
     text += ": ";

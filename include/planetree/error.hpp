@@ -29,13 +29,14 @@ enum class ErrorCode : std::uint8_t {
 /// ...".
 class Error : public std::runtime_error {
  public:
-  /// The line or face of an error that has none.
+  /// The line, face or column of an error that has none.
   static constexpr std::int64_t kNone = -1;
 
   struct Place {
     std::string file = {};
-    std::int64_t line = kNone;  ///< counted from 1; for binary files there is none
-    std::int64_t face = kNone;  ///< counted from 0, in the order of the input
+    std::int64_t line = kNone;    ///< counted from 1; for binary files there is none
+    std::int64_t face = kNone;    ///< counted from 0, in the order of the input
+    std::int64_t column = kNone;  ///< in bytes, counted from 1; where a line may be long
   };
 
   /// `problem` says what is wrong, without a full stop; `advice` what to try, as a sentence.
@@ -47,6 +48,7 @@ class Error : public std::runtime_error {
   [[nodiscard]] const std::string& file() const noexcept { return place_.file; }
   [[nodiscard]] std::int64_t line() const noexcept { return place_.line; }
   [[nodiscard]] std::int64_t face() const noexcept { return place_.face; }
+  [[nodiscard]] std::int64_t column() const noexcept { return place_.column; }
   [[nodiscard]] const std::string& advice() const noexcept { return advice_; }
 
  private:

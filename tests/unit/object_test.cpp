@@ -209,6 +209,10 @@ TEST(Errors, SayWhereAndWhatToTry) {
   EXPECT_EQ(error.line(), 12);
   EXPECT_EQ(error.face(), 3);
   EXPECT_EQ(errorCodeName(error.code()), "malformed-file");
+  const Error inLine(ErrorCode::MalformedFile, "this is no keyword", "Remove it.",
+                     {.file = "a.ray", .line = 3, .column = 14});
+  EXPECT_STREQ(inLine.what(), "a.ray:3:14: this is no keyword. Remove it.");
+  EXPECT_EQ(inLine.column(), 14);
   const Error plain(ErrorCode::InvalidOption, "leafSize is odd", "");
   EXPECT_STREQ(plain.what(), "leafSize is odd");
   EXPECT_EQ(plain.face(), Error::kNone);
