@@ -198,7 +198,8 @@ Image shownImage(const Rendering& rendering) {
         light = over(light, {backdrop(size, x, y), 1.0f});
       if (rendering.cells)
         light = over(rendering.cells->light(x, y), light);
-      image.at(x, y) = quantized(srgbEncoded(light.colour));
+      image.at(x, y) =
+          quantized(rendering.development.isEncoded ? light.colour : srgbEncoded(light.colour));
     }
   }
   return image;

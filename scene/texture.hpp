@@ -27,6 +27,8 @@ class Texture {
   /// Bilinear between the middles of the texels, u from the left and v from the bottom. It repeats
   /// beyond [0, 1]; what is not finite is taken for 0.
   [[nodiscard]] Vec3d at(double u, double v) const noexcept;
+  /// The same, but beyond the middles of the outermost texels their colour goes on.
+  [[nodiscard]] Vec3d clampedAt(double u, double v) const noexcept;
 
  private:
   std::uint32_t width_;

@@ -33,6 +33,7 @@ struct Measurement {
 struct Development {
   std::function<Light(const FilmSample&)> light;
   bool hasBackdrop = false;  ///< what nothing covers is not black
+  bool isEncoded = false;    ///< the colours are for the screen as they are, not in linear light
   std::vector<Measurement> measurements;
   std::optional<ValueRange> range;  ///< if the colours measure something
 };
