@@ -25,6 +25,10 @@ function(planetree_target target)
       -ffp-contract=off
       $<$<BOOL:${PLANETREE_WARNINGS_AS_ERRORS}>:-Werror>)
   planetree_visibility(${target})
+  # Sanitizers have checks of their own, which these would hide.
+  if(PLANETREE_HARDENING AND NOT PLANETREE_SANITIZE)
+    planetree_harden(${target})
+  endif()
   if(PLANETREE_ASSERTIONS)
     target_compile_definitions(${target} PRIVATE PLANETREE_ASSERTIONS _GLIBCXX_ASSERTIONS)
   endif()

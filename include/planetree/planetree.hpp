@@ -22,4 +22,5 @@
 #include <planetree/split/build_options.hpp>
 #include <planetree/split/build_report.hpp>
 #include <planetree/split/find_best_split_plane.hpp>
+#include <planetree/split/scene_range.hpp>
 #include <planetree/traversal/instruction_set.hpp>

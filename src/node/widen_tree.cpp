@@ -94,14 +94,14 @@ WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
   const std::span<const Part> parts = all.parts.values();
   if (parts.front().isEmpty())
     return {};
-  requireRoom(all.blockCount, WideChild::kMaxBlockIndex, "blocks");
+  requireBlockRoom(all.blockCount);
 
   const MemoryCharge plansCharge(memory, parts.size() * (sizeof(SlotPlan) + sizeof(std::uint32_t)));
   PlainArray<SlotPlan> plans(parts.size());
   all.forAllUpwards([&](std::size_t part) { planner.plan(parts, part, plans.values()); });
   advance(0.0);
   const NodeNumbers numbers = numberNodes(parts, plans.values());
-  requireRoom(numbers.parts.size(), WideChild::kMaxNodeIndex, "nodes");
+  requireWideNodeRoom(numbers.parts.size());
 
   const std::span<const std::uint32_t> nodeOf = numbers.nodeOf.values();
   const WideFrame frame = frameOf(bounds);
@@ -129,6 +129,14 @@ WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
     std::ranges::copy(piece.blocks, blocks.subspan(piece.firstBlock).begin());
   });
   return wide;
+}
+
+void requireWideNodeRoom(std::size_t nodeCount) {
+  requireRoom(nodeCount, WideChild::kMaxNodeIndex, "nodes");
+}
+
+void requireBlockRoom(std::size_t blockCount) {
+  requireRoom(blockCount, WideChild::kMaxBlockIndex, "blocks");
 }
 
 }  // namespace planetree::detail

@@ -7,6 +7,7 @@
 #include "node/wide_node.hpp"
 #include "support/memory_meter.hpp"
 
+#include <cstddef>
 #include <functional>
 
 namespace planetree::detail {
@@ -29,5 +30,9 @@ namespace planetree::detail {
 [[nodiscard]] WideTree widenTree(TreePieces tree, const Box3& bounds, LeafCuts cuts,
                                  const MakeLeafPacker& makePacker, MemoryMeter& memory,
                                  const std::function<void(double part)>& advance);
+
+/// Throw `Error` with `CapacityExceeded` if a wide tree cannot have so many.
+void requireWideNodeRoom(std::size_t nodeCount);
+void requireBlockRoom(std::size_t blockCount);
 
 }  // namespace planetree::detail

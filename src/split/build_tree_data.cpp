@@ -1,6 +1,7 @@
 #include <planetree/detail/bounding_table.hpp>
 #include <planetree/detail/tree_data.hpp>
 #include <planetree/error.hpp>
+#include <planetree/split/scene_range.hpp>
 
 #include "mesh/pack_leaf.hpp"
 #include "node/retract_splits.hpp"
@@ -148,6 +149,7 @@ TreeData<T> buildTreeData(std::vector<GeometryEntry<T>> geometries, const BuildO
     monitor.beginPhase("bound", 0.05 * whole);
     BoundedObjects objects = boundObjects<T>(tree.geometries, tree.report, monitor);
     tree.bounds = objects.bounds;
+    tree.report.sceneRange = sceneRangeOf(tree.bounds);
     requireReferenceRoom(objects.all.references.size());
 
     monitor.beginPhase("split", 0.55 * whole);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_names.sh REPOSITORY: what README.md and docs/ name must exist, and what they promise to list
-# must be listed: links, scripts, presets, options of the build, and packages.
+# must be listed: links, scripts, presets, options of the build, packages, and the tests of limits.
 set -euo pipefail
 cd "$1"
 # shellcheck source=scripts/packages.sh
@@ -54,8 +54,24 @@ check_packages() {
   done < <(sed -nE 's/^ +([a-z0-9]+)\) echo .*/\1/p' scripts/packages.sh)
 }
 
+# Each line of docs/limits.md ends with the names of its tests.
+check_tests_of_limits() {
+  local row tests suite test
+  while IFS= read -r row; do
+    row=${row% |}
+    tests=$(grep -oP '`\K[A-Z]\w+\.[A-Z]\w+(?=`)' <<<"${row##* | }" || true)
+    [[ -n $tests ]] || fail "docs/limits.md names no test behind $row"
+    while IFS=. read -r suite test; do
+      [[ -z $suite ]] ||
+        grep -rqEz "TEST[A-Z_]*\($suite,[[:space:]]*$test\)" --include='*_test.cpp' tests ||
+        fail "docs/limits.md names the test $suite.$test, which does not exist"
+    done <<<"$tests"
+  done < <(grep '^|' docs/limits.md | grep -vE '^\| (---|what|input) ')
+}
+
 check_links
 check_scripts_and_presets
 check_build_options
 check_packages
+check_tests_of_limits
 exit $((failures > 0))

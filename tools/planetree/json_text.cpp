@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <span>
+#include <string_view>
 
 namespace planetree::tool {
 
@@ -31,6 +32,20 @@ Json optionsJson(const BuildOptions& options) {
   };
 }
 
+std::string_view sceneRangeName(SceneRange range) noexcept {
+  switch (range) {
+    case SceneRange::Within:
+      return "within";
+    case SceneRange::TooSmall:
+      return "too-small";
+    case SceneRange::TooLarge:
+      return "too-large";
+    case SceneRange::TooFar:
+      return "too-far";
+  }
+  return "";
+}
+
 }  // namespace
 
 Json meshJson(const MeshSize& size, const importing::ImportReport& report) {
@@ -49,6 +64,7 @@ Json buildJson(const BuildOptions& options, const BuildReport& report) {
   Json json = {
       {"object_count", report.objectCount},
       {"skipped_object_count", report.skippedCount},
+      {"scene_range", sceneRangeName(report.sceneRange)},
   };
   for (const BuildPhase& phase : report.phases)
     json[fmt::format("{}_seconds", phase.name)] = phase.seconds;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <vector>
@@ -102,6 +103,22 @@ std::string_view reasonText(SkipReason reason) noexcept {
   return "cannot be hit";
 }
 
+std::string rangeText(SceneRange range) {
+  // Limits are powers of two, and read as such.
+  const auto power = [](float limit) { return fmt::format("2^{}", std::ilogb(limit)); };
+  switch (range) {
+    case SceneRange::Within:
+      return {};
+    case SceneRange::TooSmall:
+      return fmt::format("is less than {} across", power(kSmallestExtent));
+    case SceneRange::TooLarge:
+      return fmt::format("is more than {} across", power(kLargestExtent));
+    case SceneRange::TooFar:
+      return fmt::format("has coordinates beyond {}", power(kLargestCoordinate));
+  }
+  return {};
+}
+
 void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
              const importing::ImportReport& report, double seconds) {
   talk.say(
@@ -112,6 +129,10 @@ void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
 
 void saySkipped(const Talk& talk, const BuildReport& report,
                 std::span<const std::uint32_t> sourceFaces) {
+  if (report.sceneRange != SceneRange::Within) {
+    talk.say(fmt::format("  the scene {}: hits may be lost; scale it by a power of two, or move it",
+                         rangeText(report.sceneRange)));
+  }
   if (report.skippedCount == 0)
     return;
   std::vector<std::string> first;

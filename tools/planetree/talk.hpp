@@ -49,6 +49,8 @@ class Talk {
 [[nodiscard]] std::string byteText(std::uint64_t bytes);
 /// What is wrong with a skipped object, to be read after its name.
 [[nodiscard]] std::string_view reasonText(SkipReason reason) noexcept;
+/// What is wrong with the size of a scene, to be read after "the scene"; empty if nothing is.
+[[nodiscard]] std::string rangeText(SceneRange range);
 
 struct MeshSize {
   std::uint64_t faceCount = 0;
@@ -58,8 +60,8 @@ struct MeshSize {
 void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
              const importing::ImportReport& report, double seconds);
 
-/// The skipped faces of a mesh. `sourceFaces` is that of the mesh: faces are named by their number
-/// in the file.
+/// What may be missed: the skipped faces of a mesh, and a size beyond the limits. `sourceFaces` is
+/// that of the mesh: faces are named by their number in the file.
 void saySkipped(const Talk& talk, const BuildReport& report,
                 std::span<const std::uint32_t> sourceFaces);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <planetree/split/scene_range.hpp>
+
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,9 @@ struct BuildReport {
   std::uint64_t objectCount = 0;       ///< all objects handed over, the skipped ones included
   std::uint64_t skippedCount = 0;      ///< of them not in the tree
   std::vector<SkippedObject> skipped;  ///< the first few skipped ones
+  /// Of all objects in the tree. Outside of the range it is built and asked all the same, but hits
+  /// may be lost.
+  SceneRange sceneRange = SceneRange::Within;
   /// What took how long, in the order in which it was done. Which phases there are may change with
   /// the builder: "bound" bounds the objects, "split" finds the planes and divides the objects down
   /// to the leaves, "retract" takes back splits (`BuildOptions::retractsSplits`), "assemble" makes

@@ -65,6 +65,8 @@ void addModel(Page& page, const TreeAccount& account) {
              account.skippedPolygons);
   addSkipped(page, "skipped", account.build.skippedCount, "not in the tree: no ray can hit them",
              account.skippedTriangles);
+  if (account.build.sceneRange != SceneRange::Within)
+    page.line("  the scene " + rangeText(account.build.sceneRange) + ": hits may be lost");
   if (account.unreadPrimitiveCount > 0) {
     page.row("not read", grouped(account.unreadPrimitiveCount),
              "points, lines and curves, which cannot be hit");

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# Builds what runs on several threads with clang's thread sanitizer, in build/thread, and runs its
+# tests. Needs a bare Debian 12 and installs what is missing.
+#
+#   bash scripts/test_threads.sh            all of them
+#   bash scripts/test_threads.sh REGEX      those whose names match, as for ctest -R
+#
+# The sanitizer sees how threads are kept apart only in code that was compiled with it, and Debian's
+# oneTBB was not: so oneTBB, too, is built with it, from Debian's own source package, in
+# build/thread-tbb. Then nothing has to be suppressed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/packages.sh
+source scripts/packages.sh
+
+tbb=$PWD/build/thread-tbb
+targets=(threads property unit_batch unit_render unit_split)
+# What is compared there has been compared by other tests; here it is enough that all threads take
+# part in all they have a part in.
+tests='^(threads\.|unit_batch\.(BatchThreads|.*BatchControl)|unit_render\.RenderImage'
+tests+='|unit_split\.(BuildProgress|StopOfABuild|BuildTree|Determinism\.HoldsFor|RetractSplits\.IsTheSame)'
+tests+='|property\.(Concurrency|Batch/0\.(GivesTheSame|HonoursTheChoices)))'
+
+# apt with lists of its own, of the sources of what the machine's lists have in binary.
+use_apt_of_sources() {
+  local state=$1 file
+  mkdir -p "$state"/{lists/partial,cache/archives/partial,sources.d}
+  touch "$state/status"
+  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources}; do
+    if [[ -e $file ]]; then
+      sed -E 's/^deb([[:space:]])/deb-src\1/; s/^Types:.*/Types: deb-src/' "$file" \
+        >"$state/sources.d/$(basename "$file")"
+    fi
+  done
+  cat >"$state/apt.conf" <<END
+APT::Sandbox::User "root";
+Dir::State "$state";
+Dir::State::status "$state/status";
+Dir::Cache "$state/cache";
+Dir::Etc::sourcelist "/dev/null";
+Dir::Etc::sourceparts "$state/sources.d";
+END
+  export APT_CONFIG=$state/apt.conf
+}
+
+# Builds the oneTBB whose headers are installed; the folder gets its name when it is complete.
+make_tbb() (
+  version=$(dpkg-query -W -f '${source:Version}' libtbb-dev)
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  use_apt_of_sources "$work/apt"
+  mkdir "$work/download" "$work/source"
+  cd "$work/download"
+  apt-get -qq update >&2 || true # one of several lists may be out of reach
+  apt-get -qq source --download-only "onetbb=$version" >&2
+  tar -xf onetbb_*.orig.tar.* --strip-components=1 -C "$work/source"
+  cmake -S "$work/source" -B "$work/build" -G Ninja -D CMAKE_BUILD_TYPE=RelWithDebInfo \
+        -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ \
+        -D CMAKE_CXX_FLAGS="-fsanitize=thread" -D CMAKE_CXX_FLAGS_RELWITHDEBINFO="-O2 -g1" \
+        -D TBB_TEST=OFF -D TBB_STRICT=OFF -D TBBMALLOC_BUILD=OFF \
+        -D TBB_DISABLE_HWLOC_AUTOMATIC_SEARCH=ON -D CMAKE_INSTALL_LIBDIR=lib \
+        -D CMAKE_INSTALL_PREFIX="$work/installed" >&2
+  cmake --build "$work/build" --parallel "$(nproc)" >&2
+  cmake --install "$work/build" >&2
+  mkdir -p "$(dirname "$tbb")"
+  mv "$work/installed" "$tbb"
+)
+
+# The sanitizer's own memory has fixed places, which some kernels give away at random.
+with_fixed_addresses() {
+  if setarch --addr-no-randomize true 2>/dev/null; then
+    setarch --addr-no-randomize "$@"
+  else
+    "$@"
+  fi
+}
+
+require_packages build threads
+if [[ ! -d $tbb ]]; then
+  say "building oneTBB with the thread sanitizer in build/thread-tbb"
+  make_tbb || { say "that failed; what was said is above"; exit 1; }
+fi
+say "building in build/thread"
+cmake --preset thread
+# Without it CMake takes the one of the system, in silence.
+if ! grep -q "^TBB_DIR:.*=$tbb/" build/thread/CMakeCache.txt; then
+  say "build/thread does not use the oneTBB of build/thread-tbb: remove both and try again"
+  exit 1
+fi
+with_fixed_addresses cmake --build build/thread --parallel "$(nproc)" --target "${targets[@]}"
+say "testing with the thread sanitizer"
+# oneTBB comes with a list of its own: one harmless race in what it tells profilers.
+export TSAN_OPTIONS="second_deadlock_stack=1 suppressions=$PWD/tests/threads/suppressions.txt ${TSAN_OPTIONS:-}"
+with_fixed_addresses ctest --test-dir build/thread --output-on-failure --no-tests=error \
+  --parallel "$(nproc)" --tests-regex "${1:-$tests}"
