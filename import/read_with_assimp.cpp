@@ -4,6 +4,8 @@
 #include "import/message_reader.hpp"
 #include "import/reader_process.hpp"
 
+#include "support/file_state.hpp"
+
 #include <planetree/error.hpp>
 
 #include <unistd.h>
@@ -66,6 +68,10 @@ class Faults {
     return malformed("assimp crashes on it (" + std::string(::strsignal(signal)) + ")");
   }
 
+  [[nodiscard]] Error changed() const {
+    return {ErrorCode::FileNotReadable, detail::kChangedProblem, detail::kChangedAdvice, place()};
+  }
+
   [[nodiscard]] Error unclear(const std::exception& fault) const {
     return malformed("the program " + limits_.program.string() +
                      " gave no clear answer: " + fault.what());
@@ -102,6 +108,7 @@ template <std::floating_point T>
 TriangleMesh<T> readWithAssimp(const fs::path& path, const ReaderLimits& limits,
                                ImportReport* report) {
   const Faults faults(path.string(), limits);
+  const std::optional<detail::FileState> before = detail::stateOf(path);
   std::optional<ReaderProcess> process;
   try {
     process.emplace(limits.program,
@@ -125,6 +132,9 @@ TriangleMesh<T> readWithAssimp(const fs::path& path, const ReaderLimits& limits,
       throw faults.stoppedBy(*signal);
     throw faults.unclear(end);
   }
+  // assimp says of the one file what it may have seen of the other.
+  if (detail::stateOf(path) != before)
+    throw faults.changed();
   if (report)
     *report = receiver.takeReport();
   return receiver.takeMesh();

@@ -24,12 +24,14 @@ void BatchMonitor::advance(std::size_t packetCount) {
   doneCount_ += packetCount;
   const std::unique_lock lock(telling_, std::try_to_lock);
   const Clock::time_point now = Clock::now();
-  if (!lock || now - lastTold_ < kTellingInterval)
+  if (!lock || hasThrown_ || now - lastTold_ < kTellingInterval)
     return;
   lastTold_ = now;
   const double done = static_cast<double>(doneCount_) / static_cast<double>(packetCount_);
   told_ = std::max(told_, std::min(done, kMostBeforeTheEnd));
+  hasThrown_ = true;  // unless it returns
   control_.onProgress(told_);
+  hasThrown_ = false;
 }
 
 void BatchMonitor::finish() const {

@@ -35,6 +35,7 @@ class BatchMonitor {
   std::size_t packetCount_;
   std::atomic<std::size_t> doneCount_ = 0;
   std::mutex telling_;
+  bool hasThrown_ = false;      ///< the caller, who is told no more; guarded by `telling_`
   double told_ = 0.0;           ///< guarded by `telling_`
   Clock::time_point lastTold_;  ///< guarded by `telling_`
 };

@@ -152,7 +152,7 @@ WideChild childOf(std::span<const Part> parts, std::size_t part, std::uint8_t ki
 }
 
 WideNode makeWideNode(std::span<const Part> parts, std::span<const Branch> branches,
-                      std::span<const std::uint32_t> nodeOf, const WideFrame& frame) noexcept {
+                      std::span<const std::uint32_t> nodeOf, const WideFrame& frame) {
   WideNode node = emptyNode();
   for (std::size_t octant = 0; octant < node.orders.size(); ++octant) {
     NearestFirst order;

@@ -37,9 +37,8 @@ void branchOut(std::span<const Part> parts, std::span<const SlotPlan> plans, std
 [[nodiscard]] WideChild childOf(std::span<const Part> parts, std::size_t part, std::uint8_t kind,
                                 std::span<const std::uint32_t> nodeOf) noexcept;
 
-/// The node with these branches.
+/// The node with these branches. Throws nothing but `std::bad_alloc`.
 [[nodiscard]] WideNode makeWideNode(std::span<const Part> parts, std::span<const Branch> branches,
-                                    std::span<const std::uint32_t> nodeOf,
-                                    const WideFrame& frame) noexcept;
+                                    std::span<const std::uint32_t> nodeOf, const WideFrame& frame);
 
 }  // namespace planetree::detail

@@ -59,13 +59,15 @@ void BuildMonitor::advance(double partOfPhase) {
   }
   const std::unique_lock lock(telling_, std::try_to_lock);
   const Clock::time_point now = Clock::now();
-  if (!lock || now - lastTold_ < kTellingInterval)
+  if (!lock || hasThrown_ || now - lastTold_ < kTellingInterval)
     return;
   lastTold_ = now;
   // Rounding may add up to more than the whole, and the end is told at the end.
   const double done = doneBefore_ + share_ * std::min(doneOfPhase_.load(), 1.0);
   told_ = std::max(told_, std::min(done, kMostBeforeTheEnd));
+  hasThrown_ = true;  // unless it returns
   control_.onProgress({.phase = phase_, .done = told_});
+  hasThrown_ = false;
 }
 
 }  // namespace planetree::detail

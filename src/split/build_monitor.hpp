@@ -53,6 +53,7 @@ class BuildMonitor {
   double share_ = 0.0;       ///< of the phase
   std::atomic<double> doneOfPhase_ = 0.0;
   std::mutex telling_;
+  bool hasThrown_ = false;               ///< the caller, who is told no more; guarded, too
   double told_ = 0.0;                    ///< guarded by `telling_`
   Clock::time_point lastTold_ = start_;  ///< guarded by `telling_`
 };

@@ -2,10 +2,13 @@
 
 #include <planetree/error.hpp>
 
+#include "support/file_state.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -57,6 +60,14 @@ std::size_t firstCapacity(const std::filesystem::path& path) {
   return failed ? kUnknownSize : std::max(static_cast<std::size_t>(size) + 1, kUnknownSize);
 }
 
+void requireSame(const std::optional<FileState>& before, const FileHandle& file,
+                 const std::filesystem::path& path) {
+  if (stateOf(file.get()) != before) {
+    throw Error(ErrorCode::FileNotReadable, kChangedProblem, kChangedAdvice,
+                Error::Place{path.string()});
+  }
+}
+
 }  // namespace
 
 void requireReadable(const std::filesystem::path& path) {
@@ -69,6 +80,7 @@ void requireReadable(const std::filesystem::path& path) {
 
 FileContent readFile(const std::filesystem::path& path) {
   const FileHandle file = openFile(path);
+  const std::optional<FileState> before = stateOf(file.get());
   std::size_t capacity = firstCapacity(path);
   std::size_t size = 0;
   auto bytes = std::make_unique_for_overwrite<std::byte[]>(capacity);
@@ -77,8 +89,10 @@ FileContent readFile(const std::filesystem::path& path) {
     size += std::fread(bytes.get() + size, 1, capacity - size, file.get());
     if (std::ferror(file.get()))
       throw notReadable(path, errno);
-    if (size < capacity)
+    if (size < capacity) {
+      requireSame(before, file, path);
       return {std::move(bytes), size};
+    }
     capacity *= 2;
     auto larger = std::make_unique_for_overwrite<std::byte[]>(capacity);
     std::copy_n(bytes.get(), size, larger.get());

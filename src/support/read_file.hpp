@@ -27,7 +27,8 @@ class FileContent {
 /// Throws `Error` with `FileNotReadable` if the file cannot be opened to read it.
 void requireReadable(const std::filesystem::path& path);
 
-/// Reads a whole file; pipes are read to their end. Throws `Error` with `FileNotReadable`.
+/// Reads a whole file; pipes are read to their end. Throws `Error` with `FileNotReadable`, also for
+/// a file that is written to meanwhile.
 [[nodiscard]] FileContent readFile(const std::filesystem::path& path);
 
 }  // namespace planetree::detail

@@ -2,8 +2,6 @@
 
 #include "interruption.hpp"
 
-#include <planetree/error.hpp>
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -20,26 +18,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string adviceFor(int errorNumber) {
+constexpr const char* kShownStandardOutput = "standard output";
+
+std::string adviceFor(const fs::path& path, int errorNumber) {
+  const std::string elsewhere =
+      path == kShownStandardOutput ? "redirect it elsewhere." : "write elsewhere with -o.";
   switch (errorNumber) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "Free some space there, or write elsewhere with -o.";
+      return "Free some space there, or " + elsewhere;
     case ENOENT:
     case ENOTDIR:
-      return "Make the folder first, or write elsewhere with -o.";
+      return "Make the folder first, or " + elsewhere;
     case EISDIR:
       return "Add a file name to the folder.";
     default:
-      return "Write elsewhere with -o.";
+      return (path == kShownStandardOutput ? 'R' : 'W') + elsewhere.substr(1);
   }
 }
 
 [[noreturn]] void fail(const fs::path& path, int errorNumber) {
-  throw Error(ErrorCode::FileNotWritable,
-              fmt::format("cannot be written ({})", std::generic_category().message(errorNumber)),
-              adviceFor(errorNumber), {.file = path.string()});
+  const std::string problem =
+      fmt::format("cannot be written ({})", std::generic_category().message(errorNumber));
+  const Error::Place place{.file = path.string()};
+  if (errorNumber == EPIPE)
+    throw ReaderLeft(ErrorCode::FileNotWritable, problem, "Let its reader read to the end.", place);
+  throw Error(ErrorCode::FileNotWritable, problem, adviceFor(path, errorNumber), place);
 }
 
 /// Opens a file; an error names `named`, the file that the user asked for.
@@ -52,7 +57,7 @@ FileDescriptor openForWriting(const fs::path& path, int flags, const fs::path& n
 }
 
 fs::path shownName(const fs::path& path) {
-  return path == kStandardOutput ? fs::path("standard output") : path;
+  return path == kStandardOutput ? fs::path(kShownStandardOutput) : path;
 }
 
 fs::path folderOf(const fs::path& path) {

@@ -2,6 +2,8 @@
 
 #include "file_descriptor.hpp"
 
+#include <planetree/error.hpp>
+
 #include <sys/types.h>
 
 #include <cstddef>
@@ -13,8 +15,15 @@
 ///
 /// A regular file is written under a temporary name beside the final one and renamed when it is
 /// complete: under the final name there is either the old file or the whole new one, and after a
-/// failure nothing is left behind. Devices and pipes are written directly.
+/// failure nothing is left behind. Devices and pipes are written directly; where nobody reads from
+/// a pipe any more, `ReaderLeft` is thrown.
 namespace planetree::tool {
+
+/// The reader of a pipe has left before all was written: not a fault of anybody, as with `head`.
+class ReaderLeft : public Error {
+ public:
+  using Error::Error;
+};
 
 /// The name that stands for standard output.
 inline constexpr const char* kStandardOutput = "-";

@@ -35,7 +35,8 @@ struct BatchOptions {
 struct BatchControl {
   /// Told now and then what part of the rays has been traced, and once at the end, with 1. It never
   /// falls. Called from the threads that trace, never by two at a time; it should be quick, and
-  /// must not wait for oneTBB tasks. What it throws ends the batch and comes out of the call.
+  /// must not wait for oneTBB tasks. What it throws ends the batch and comes out of the call, and
+  /// it is not called again.
   std::function<void(double done)> onProgress = {};
 
   /// Ends the batch soon after a stop is requested: the call throws `Cancelled`. Each ray has then

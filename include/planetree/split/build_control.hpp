@@ -23,7 +23,8 @@ struct BuildProgress {
 struct BuildControl {
   /// Told now and then how far the build has come, and once at the end, with 1. Called from the
   /// threads that build, never by two at a time; it should be quick, and must not wait for oneTBB
-  /// tasks. What it throws ends the build and comes out of `buildTree`.
+  /// tasks. What it throws ends the build and comes out of `buildTree`, and it is not called
+  /// again.
   std::function<void(const BuildProgress&)> onProgress = {};
 
   /// Ends the build soon after a stop is requested: `buildTree` throws `Cancelled`, and all memory

@@ -45,6 +45,7 @@ std::optional<std::uint64_t> remainingSize(const FileDescriptor& file) noexcept 
 ByteSource::ByteSource(const std::filesystem::path& path)
     : name_(path == kStandardInput ? "standard input" : path.string()),
       file_(open(path, name_)),
+      state_(detail::stateOf(file_.number())),
       size_(remainingSize(file_)) {}
 
 std::string_view ByteSource::peek(std::size_t count) {
@@ -81,12 +82,23 @@ bool ByteSource::readFromFile(std::string& bytes, std::size_t most, const KeepsG
     bytes.resize(before + most);
     const ssize_t count = ::read(file_.number(), bytes.data() + before, most);
     bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (count >= 0)
-      return count > 0;
+    if (count > 0)
+      return true;
+    if (count == 0) {
+      requireSame();
+      return false;
+    }
     if (errno != EINTR)
       fail(name_, errno);
   }
   return false;
+}
+
+void ByteSource::requireSame() const {
+  if (detail::stateOf(file_.number()) != state_) {
+    throw Error(ErrorCode::FileNotReadable, detail::kChangedProblem, detail::kChangedAdvice,
+                {.file = name_});
+  }
 }
 
 bool ByteSource::isReady() const noexcept {

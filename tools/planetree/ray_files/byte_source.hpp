@@ -2,6 +2,8 @@
 
 #include "file_descriptor.hpp"
 
+#include "support/file_state.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -19,7 +21,7 @@ inline constexpr const char* kStandardInput = "-";
 using KeepsGoing = std::function<bool()>;
 
 /// The bytes of a file, or of standard input, in their order. Every function throws `Error` with
-/// `FileNotReadable`.
+/// `FileNotReadable`, at the end also if the file was written to since it was opened.
 class ByteSource {
  public:
   explicit ByteSource(const std::filesystem::path& path);
@@ -46,10 +48,12 @@ class ByteSource {
   [[nodiscard]] bool isReady() const noexcept;
 
  private:
+  void requireSame() const;
   bool readFromFile(std::string& bytes, std::size_t most, const KeepsGoing& keepsGoing);
 
   std::string name_;
   FileDescriptor file_;
+  std::optional<detail::FileState> state_;  ///< of a regular file, when it was opened
   std::optional<std::uint64_t> size_;
   std::uint64_t position_ = 0;
   std::string peeked_;

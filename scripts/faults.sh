@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Tries faults: memory that runs out at every request, stops at every progress call, outputs that
+# fail at every byte, inputs that change, a reader that dies at any byte. Takes some ten minutes; the
+# tests try some of each. Prints `faults injected: N, lost: 0, leaked: 0`.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/packages.sh
+source scripts/packages.sh
+
+require_packages build
+say "building in build/release"
+cmake --preset release >/dev/null
+cmake --build build/release --parallel "$(nproc)" --target fault >/dev/null
+say "trying every fault"
+PLANETREE_EVERY_FAULT=1 build/release/bin/fault --gtest_brief=1 "$@"
