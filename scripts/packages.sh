@@ -16,6 +16,8 @@ packages_for() {
     scenes) echo glmark2-data assimp-testmodels ;;
     # For .ci/run: a second compiler with its sanitizers, and what reads the sources.
     ci) echo clang libclang-rt-14-dev clang-format git shellcheck mandoc zsh fish ;;
+    # For scripts/fuzz.sh: a compiler with libFuzzer.
+    fuzz) echo clang libclang-rt-14-dev ;;
     # For scripts/test_aarch64.sh: a compiler for AArch64, and what runs its programs.
     aarch64) echo cmake ninja-build g++-aarch64-linux-gnu qemu-user ;;
     # For the same, not installed but unpacked: libraries for AArch64.
