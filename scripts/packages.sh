@@ -18,6 +18,8 @@ packages_for() {
     ci) echo clang libclang-rt-14-dev clang-format git shellcheck mandoc zsh fish ;;
     # For scripts/test_threads.sh: a compiler with its sanitizers, and what unpacks oneTBB's sources.
     threads) echo clang libclang-rt-14-dev xz-utils ;;
+    # For scripts/fuzz.sh: a compiler with libFuzzer.
+    fuzz) echo clang libclang-rt-14-dev ;;
     # For scripts/test_aarch64.sh: a compiler for AArch64, and what runs its programs.
     aarch64) echo cmake ninja-build g++-aarch64-linux-gnu qemu-user ;;
     # For the same, not installed but unpacked: libraries for AArch64.
