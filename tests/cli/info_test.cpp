@@ -135,6 +135,32 @@ TEST_F(Info, NamesWhatWasSkippedAndWhy) {
   EXPECT_EQ(document["skipped_triangles"].size(), 2u);
 }
 
+TEST_F(Info, SaysWhereASceneIsOutOfRange) {
+  struct Size {
+    const char* vertices;
+    const char* said;
+    const char* named;
+  };
+  for (const auto& [vertices, said, named] :
+       {Size{"v 0 0 0\nv 1 0 0\nv 0 1073741824 0\n", "", "within"},
+        Size{"v 0 0 0\nv 1 0 0\nv 0 3e9 0\n", "is more than 2^30 across: hits may be lost",
+             "too-large"},
+        Size{"v 0 0 0\nv 1e-12 0 0\nv 0 1e-12 0\n", "is less than 2^-30 across: hits may be lost",
+             "too-small"},
+        Size{"v 2e9 0 0\nv 2000001024 0 0\nv 2e9 1 0\n",
+             "has coordinates beyond 2^30: hits may be lost", "too-far"}}) {
+    writeFile("model.obj", std::string(vertices) + "f 1 2 3\n");
+    const ToolResult page = run({"info", "model.obj"});
+    EXPECT_EQ(page.status, 0) << page.err;
+    for (const std::string& text : {page.out, page.err}) {
+      EXPECT_NE(text.find(said), std::string::npos) << said << "\n" << text;
+      EXPECT_EQ(text.find("may be lost") != std::string::npos, *said != '\0') << text;
+    }
+    const json document = json::parse(run({"info", "model.obj", "--json"}).out);
+    EXPECT_EQ(document["build"]["scene_range"], named);
+  }
+}
+
 TEST_F(Info, NamesOnlyTheFirstFewThatWereSkipped) {
   std::string model = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   for (int i = 0; i < 1200; ++i)

@@ -71,7 +71,7 @@ TEST_P(InsideTbb, AllIsAsOutside) {
 // find another of their tasks on the same thread.
 TEST_P(InsideTbb, NoTaskOfTheCallerBeginsInsideOfABuild) {
   std::atomic<int> intrusions = 0;
-  runTasks(40, [&](int turn) {
+  runTasks(24, [&](int turn) {
     intrusions += LibraryWork::isInside() ? 1 : 0;
     failures_ += work_.buildsTheSame(static_cast<std::uint32_t>(turn % 4)) ? 0 : 1;
   });

@@ -49,6 +49,29 @@ TEST(InsideThreads, AllIsAsOutsideInFunctionsThatRunByThemselves) {
     EXPECT_TRUE(result.get());
 }
 
+TEST(InsideThreads, TreesOfAllPresetsAreBuiltAtOnceAsAlone) {
+  const TriangleMesh<float> mesh = detail::soup<float>(905, 12'000, 0.03);
+  const auto buildWith = [&](BuildOptions options, std::uint32_t threadCount) {
+    options.threadCount = threadCount;
+    return buildTree(mesh.view(), options);
+  };
+  const std::vector<BuildOptions> presets = {BuildOptions::fast(), BuildOptions::balanced(),
+                                             BuildOptions::high(), BuildOptions::textbook()};
+  std::vector<Tree> alone;
+  for (const BuildOptions& preset : presets)
+    alone.push_back(buildWith(preset, 1));
+  std::atomic<int> failures = 0;
+  onThreads(8, [&](int i) {
+    const std::size_t preset = static_cast<std::size_t>(i) % presets.size();
+    const Tree tree = buildWith(presets[preset], i < 4 ? 0 : 2);
+    failures += hasSameBytes(tree.nodes(), alone[preset].nodes()) &&
+                        hasSameBytes(tree.view().references, alone[preset].view().references)
+                    ? 0
+                    : 1;
+  });
+  EXPECT_EQ(failures, 0);
+}
+
 TEST(InsideThreads, ManyOfThemAskOneTreeAtOnce) {
   std::atomic<int> failures = 0;
   onThreads(24, [&](int i) {

@@ -15,6 +15,11 @@
 
 namespace planetree::test {
 
+template <class Word>
+[[nodiscard]] bool hasSameBytes(std::span<const Word> a, std::span<const Word> b) noexcept {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
 /// What a program does with the library from inside of its own threads, and what comes of it
 /// anywhere else. The checks return whether both are the same, to be called from any thread, where
 /// those of GoogleTest are not for everyone.
@@ -71,11 +76,6 @@ class LibraryWork {
     Visit(const Visit&) = delete;
     Visit& operator=(const Visit&) = delete;
   };
-
-  template <class Word>
-  static bool hasSameBytes(std::span<const Word> a, std::span<const Word> b) noexcept {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
-  }
 
   static inline thread_local bool isInside_ = false;
 
