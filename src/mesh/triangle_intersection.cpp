@@ -18,11 +18,22 @@ struct ShearedCorner {
   T z;
 };
 
+/// A double that is too small counts as zero: products of smaller ones would lose bits by underflow
+/// or vanish, weights would be wrong, and t could lie anywhere. It is far below all that is rounded
+/// off, and the same for all triangles at a corner.
+template <class T>
+T withoutUnderflow(T coordinate) noexcept {
+  if constexpr (std::is_same_v<T, double>)
+    return std::fabs(coordinate) < 0x1p-400 ? 0.0 : coordinate;
+  return coordinate;
+}
+
 template <class T>
 ShearedCorner<T> shearCorner(const ShearedRay<T>& ray, const Vec3<T>& corner) noexcept {
   const Vec3<T> relative = corner - ray.ray.origin;
   const T z = relative[ray.kz];
-  return {relative[ray.kx] - ray.shearX * z, relative[ray.ky] - ray.shearY * z, z};
+  return {withoutUnderflow(relative[ray.kx] - ray.shearX * z),
+          withoutUnderflow(relative[ray.ky] - ray.shearY * z), z};
 }
 
 /// The weights of the corners, not yet divided by their sum.

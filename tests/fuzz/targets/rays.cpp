@@ -39,8 +39,8 @@ struct Trees {
     options.threadCount = 1;
     options.leafSize = 2;
     options.cost.faceCost = 0.5;  // worth some splits
-    const auto cube = test::placed<T>("cube", test::gridCube(3), 1.0, {}, 0.9).mesh;
-    const auto soup = test::detail::soup<T>(1, 60, 0.4);
+    const auto cube = test::placed<T>("cube", test::gridCube(2), 1.0, {}, 0.9).mesh;
+    const auto soup = test::detail::soup<T>(1, 30, 0.5);
     Scene<T> scene;
     scene.add(soup, {.mask = 1});
     scene.add(std::vector<Sphere<T>>{{{0, 0, 0}, T(0.5)}, {{1, 0, 0}, T(0.5)}}, {.mask = 2});
@@ -49,7 +49,7 @@ struct Trees {
     scene.add(Cylinder<T>{.base = {0, T(-0.5), 0}, .radius = T(0.25), .capped = false});
     scene.add(cube, {.mask = 8});
     return {buildTree(cube, options), buildTree(soup, options),
-            buildTree(test::detail::grid<T>(5, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), options),
+            buildTree(test::detail::grid<T>(4, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), options),
             buildTree(scene, options)};
   }
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace planetree::test {
@@ -53,7 +54,9 @@ TYPED_TEST(TriangleTest, IsHitOnItsEdgesAndCorners) {
 }
 
 TYPED_TEST(TriangleTest, IsMissedJustOutside) {
-  const auto outside = nextDown(TypeParam(0));
+  // Of double numbers those below 2^-400 count as zero.
+  const auto outside =
+      std::is_same_v<TypeParam, float> ? nextDown(TypeParam(0)) : TypeParam(-0x1p-400);
   EXPECT_FALSE(this->intersect({{outside, 1, 3}, {0, 0, -1}}));
   EXPECT_FALSE(this->intersect({{1, TypeParam(-1e-6), 3}, {0, 0, -1}}));
   EXPECT_FALSE(this->intersect({{nextUp(TypeParam(2)), nextUp(TypeParam(2)), 3}, {0, 0, -1}}));
@@ -83,6 +86,25 @@ TYPED_TEST(TriangleTest, IsMissedByRaysThatPointNowhere) {
 TYPED_TEST(TriangleTest, IsMissedByRaysInItsPlane) {
   EXPECT_FALSE(this->intersect({{-1, 1, 0}, {1, 0, 0}}));
   EXPECT_FALSE(this->intersect({{-1, 0, 0}, {1, 0, 0}}));
+}
+
+// Products of such numbers underflow, and t came out anywhere along the triangle.
+TYPED_TEST(TriangleTest, PutsTheHitOnTheRayADenormalOffItsPlane) {
+  using T = TypeParam;
+  const Vec3<T> a{-1, T(-0.5), 0};
+  const Vec3<T> b{T(-0.5), 0, 0};
+  const Vec3<T> c{-1, 0, 0};
+  const T denormal = std::numeric_limits<T>::denorm_min();
+  for (const T off : {T(0), denormal, -denormal, 3 * denormal}) {
+    for (const T slope : {denormal, -denormal, 3 * denormal, std::numeric_limits<T>::min()}) {
+      const Ray<T> ray{{0, 0, off}, {T(0.3125), T(0.3125), slope}};
+      const auto hit = intersectTriangle(ShearedRay<T>(ray), a, b, c, -kInfinity<T>, kInfinity<T>);
+      if (hit) {
+        const Vec3<T> point = a + (b - a) * hit->u + (c - a) * hit->v;
+        EXPECT_NEAR(point.x, ray.at(hit->t).x, 1e-5) << off << ", " << slope;
+      }
+    }
+  }
 }
 
 TYPED_TEST(TriangleTest, WithTwoEqualCornersIsNeverHit) {
