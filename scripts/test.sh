@@ -5,7 +5,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/packages.sh
 source scripts/packages.sh
 
-require_packages build
+require_packages build judges
 say "building in build/release"
 cmake --preset release
 cmake --build build/release --parallel "$(nproc)"
