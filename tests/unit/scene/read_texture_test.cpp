@@ -211,6 +211,18 @@ TEST(ReadTexture, RefusesImagesThatAreTooLargeBeforeItDecodesThem) {
   EXPECT_NE(codeOf(png(0, 1, manyZeros(1))), ErrorCode::InvalidOption);
 }
 
+TEST(ReadTexture, RefusesTexelsThatTheFileCannotHold) {
+  EXPECT_EQ(codeOf(bmp(10'000, 10'000, {})), ErrorCode::MalformedFile);
+  EXPECT_EQ(codeOf(tga(10'000, 10'000, {1, 2, 3})), ErrorCode::MalformedFile);
+  EXPECT_EQ(codeOf(png(10'000, 10'000, manyZeros(1))), ErrorCode::MalformedFile);
+}
+
+TEST(ReadTexture, ReadsWhatIsCompressedAsFarAsItGoes) {
+  constexpr std::uint32_t kSide = 1000;
+  const std::size_t size = (3 * kSide + 1) * kSide;
+  EXPECT_EQ(read(png(kSide, kSide, manyZeros(size / 258 + 1))).width(), kSide);
+}
+
 TEST(ReadTexture, RefusesMoreTexelsThanItsHeadPromises) {
   // 160 kB that would become 25 MB, for an image of a few texels.
   EXPECT_EQ(codeOf(png(2, 3, manyZeros(100'000))), ErrorCode::MalformedFile);
@@ -236,7 +248,6 @@ TEST(ReadTexture, WithBytesChangedIsAnErrorOrAnImage) {
         bytes[random.below(bytes.size())] = static_cast<std::uint8_t>(random.below(256));
       if (random.chance(0.2))
         bytes.resize(random.below(bytes.size()));
-      // Large images of few bytes are right, but take their time.
       try {
         const Texture texture = read(bytes);
         EXPECT_GT(texture.width(), 0u);
