@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -88,9 +89,18 @@ class RayCounter {
     const Stopwatch watch(tracingSeconds_);
     return tracer_.areOccluded(rays);
   }
-  [[nodiscard]] std::optional<Hitf> findIntersection(const Rayf& ray, StepCounts& steps) noexcept {
-    ++rayCount_;
-    return tracer_.findIntersection(ray, steps);
+  /// What finding the nearest hit of each ray takes, ray by ray, and whether there is one.
+  struct CountedSearch {
+    StepCounts steps;
+    bool isHit = false;
+  };
+  [[nodiscard]] std::vector<CountedSearch> countSteps(std::span<const Rayf> rays) {
+    rayCount_ += rays.size();
+    const Stopwatch watch(tracingSeconds_);
+    std::vector<CountedSearch> searches(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      searches[i].isHit = tracer_.findIntersection(rays[i], searches[i].steps).has_value();
+    return searches;
   }
 
   [[nodiscard]] FoundHits findIntersections(const Rayf& ray, std::span<Hitf> hits) noexcept {
@@ -106,8 +116,7 @@ class RayCounter {
   }
 
   [[nodiscard]] std::uint64_t rayCount() const noexcept { return rayCount_; }
-  /// Spent with everything but single nearest hits, which would take no longer than looking at a
-  /// clock.
+  /// Spent with all of these.
   [[nodiscard]] double tracingSeconds() const noexcept { return tracingSeconds_; }
 
  private:

@@ -54,24 +54,38 @@ class Illumination {
 
   /// Follows the paths, and what they become at surfaces, at most `depth` times.
   void follow(std::span<const Path> paths, std::uint32_t depth) {
-    for (std::size_t first = 0; first < paths.size(); first += kPathsAtOnce) {
-      const std::vector<Path> next =
-          shade(paths.subspan(first, std::min(kPathsAtOnce, paths.size() - first)), depth > 0);
-      if (!next.empty())
-        follow(next, depth - 1);
-    }
+    forEachChunk(paths, [&](std::span<const Path> chunk, std::size_t /*first*/) {
+      std::vector<Rayf> rays;
+      rays.reserve(chunk.size());
+      for (const Path& path : chunk)
+        rays.push_back(path.ray);
+      followFrom(chunk, tracer_.findIntersections(rays), depth);
+    });
+  }
+  /// The same for paths whose first hits are known.
+  void follow(std::span<const Path> paths, std::span<const Hitf> hits, std::uint32_t depth) {
+    forEachChunk(paths, [&](std::span<const Path> chunk, std::size_t first) {
+      followFrom(chunk, hits.subspan(first, chunk.size()), depth);
+    });
   }
 
   [[nodiscard]] std::vector<Vec3d> takeLight() noexcept { return std::move(light_); }
 
  private:
+  template <class Visit>
+  static void forEachChunk(std::span<const Path> paths, const Visit& visit) {
+    for (std::size_t first = 0; first < paths.size(); first += kPathsAtOnce)
+      visit(paths.subspan(first, std::min(kPathsAtOnce, paths.size() - first)), first);
+  }
+
+  void followFrom(std::span<const Path> paths, std::span<const Hitf> hits, std::uint32_t depth) {
+    const std::vector<Path> next = shade(paths, hits, depth > 0);
+    if (!next.empty())
+      follow(next, depth - 1);
+  }
+
   /// Adds the light of the surfaces that the paths meet. Returns where they go on.
-  std::vector<Path> shade(std::span<const Path> paths, bool goesOn) {
-    std::vector<Rayf> rays;
-    rays.reserve(paths.size());
-    for (const Path& path : paths)
-      rays.push_back(path.ray);
-    const std::vector<Hitf> hits = tracer_.findIntersections(rays);
+  std::vector<Path> shade(std::span<const Path> paths, std::span<const Hitf> hits, bool goesOn) {
     std::vector<Path> next;
     std::vector<LampPath> lamps;
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -209,19 +223,24 @@ Whitted::Whitted(const BuiltScene& scene, const WhittedSettings& settings)
     : scene_(scene), settings_(settings) {}
 
 std::vector<Vec3d> Whitted::radiance(RayCounter& tracer, std::span<const Rayf> rays) const {
+  return radiance(tracer, rays, tracer.findIntersections(rays));
+}
+
+std::vector<Vec3d> Whitted::radiance(RayCounter& tracer, std::span<const Rayf> rays,
+                                     std::span<const Hitf> hits) const {
   Illumination illumination(scene_, settings_, tracer, rays.size());
   std::vector<Path> paths;
   paths.reserve(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
     paths.push_back({rays[i], {1, 1, 1}, static_cast<std::uint32_t>(i)});
-  illumination.follow(paths, settings_.depthLimit);
+  illumination.follow(paths, hits, settings_.depthLimit);
   return illumination.takeLight();
 }
 
-std::vector<FilmSample> Whitted::shade(RayCounter& tracer, const CameraRays& camera) const {
+std::vector<FilmSample> Whitted::shade(RayCounter& tracer, CameraRays& camera) const {
   std::vector<FilmSample> samples;
   samples.reserve(camera.rays.size());
-  for (const Vec3d& light : radiance(tracer, camera.rays)) {
+  for (const Vec3d& light : radiance(tracer, camera.rays, camera.hits(tracer))) {
     const auto clamped = [](double channel) {
       return static_cast<float>(std::clamp(channel, 0.0, 1.0));
     };

@@ -4,6 +4,7 @@
 #include "scene/build_scene.hpp"
 
 #include <planetree/geometry/ray.hpp>
+#include <planetree/hit/hit.hpp>
 
 #include <cstdint>
 #include <span>
@@ -33,8 +34,12 @@ class Whitted final : public Shading {
   /// The light that comes back along each ray, unclamped. Directions need unit length.
   [[nodiscard]] std::vector<Vec3d> radiance(RayCounter& tracer, std::span<const Rayf> rays) const;
 
+  /// The same for rays whose first hits are known.
+  [[nodiscard]] std::vector<Vec3d> radiance(RayCounter& tracer, std::span<const Rayf> rays,
+                                            std::span<const Hitf> hits) const;
+
   [[nodiscard]] std::vector<FilmSample> shade(RayCounter& tracer,
-                                              const CameraRays& camera) const override;
+                                              CameraRays& camera) const override;
   [[nodiscard]] Development develop(const Film& film) const override;
 
  private:
