@@ -61,6 +61,10 @@ SceneDescription readOwnFormats(const fs::path& path, ImportReport& report) {
   try {
     ImportReport whole;
     SceneDescription scene = readByAssimp(path, whole);
+    if (report.format == MeshFormat::Obj) {
+      whole.format = report.format;
+      whole.formatName = report.formatName;
+    }
     report = std::move(whole);
     return scene;
   } catch (const Error& error) {

@@ -166,28 +166,34 @@ Material translateClassic(const Sayings& says) {
 /// The surface of the metallic-roughness model. See docs/model_files.md for the reasons.
 struct PhysicalSurface {
   ColourSource base;      ///< as a picture has it
-  Vec3d straight;         ///< what it reflects of light that falls straight on it
+  ColourSource metal;     ///< what it reflects as far as it is a metal
   double metallic = 0.0;  ///< 0 or 1, and between where a texture has both
   double roughness = 1.0;
+  /// What a part that is no metal reflects of light that falls straight on it.
+  double straight = 0.0;
 };
 
 PhysicalSurface physicalSurface(const Sayings& says, double index) {
   PhysicalSurface surface;
   const bool isLinear = says.number(MaterialProperty::LinearColour).has_value();
-  const Vec3d base = says.colour(MaterialProperty::Diffuse).value_or(kWhite);
-  surface.base = {isLinear ? encoded(base) : base, says.texture(MaterialProperty::Diffuse)};
+  const auto shown = [&](const Vec3d& colour) { return isLinear ? encoded(colour) : colour; };
+  surface.base = {shown(says.colour(MaterialProperty::Diffuse).value_or(kWhite)),
+                  says.texture(MaterialProperty::Diffuse)};
+  // Fresnel's equations at right angles.
+  const double ratio = (index - 1.0) / (index + 1.0);
+  surface.straight = ratio * ratio;
   if (const auto glossiness = says.number(MaterialProperty::Glossiness)) {
+    // Only metals reflect more than a little of straight light.
+    const Vec3d specular = says.colour(MaterialProperty::Specular).value_or(kWhite);
+    surface.metal.value = shown(specular);
+    surface.metallic = std::clamp((most(specular) - 0.04) / (1.0 - 0.04), 0.0, 1.0);
     surface.roughness = 1.0 - std::min(*glossiness, 1.0);
-    surface.straight = says.colour(MaterialProperty::Specular).value_or(kWhite);
     return surface;
   }
+  surface.metal = surface.base;
   // glTF: blue is metal and green is roughness; images of one of them are grey.
   surface.metallic = says.meanPart(MaterialProperty::Metallic, 1.0, &Vec3f::z);
   surface.roughness = says.meanPart(MaterialProperty::Roughness, 1.0, &Vec3f::y);
-  // Fresnel's equations at right angles.
-  const double ratio = (index - 1.0) / (index + 1.0);
-  surface.straight =
-      kWhite * (ratio * ratio * (1.0 - surface.metallic)) + surface.base.value * surface.metallic;
   return surface;
 }
 
@@ -198,12 +204,15 @@ void setHighlight(const PhysicalSurface& surface, Material& result) {
   const double alpha = surface.roughness * surface.roughness;
   const double squared = std::max(alpha * alpha, kNarrowest);
   result.shininess.value = std::max((1.0 / squared - 1.0) / 2.0, 1.0);
-  result.specular.value = surface.straight * (0.25 / squared);
+  const double mirror = surface.metallic * (1.0 - surface.roughness);
+  const Vec3d reflected =
+      kWhite * (surface.straight * (1.0 - surface.metallic)) + surface.metal.value * mirror;
+  result.specular.value = reflected * (0.25 / squared);
   const double brightest = most(result.specular.value);
   if (brightest > 1.0)
     result.specular.value = result.specular.value / brightest;
   if (surface.metallic == 1.0)
-    result.specular.texture = surface.base.texture;
+    result.specular.texture = surface.metal.texture;
 }
 
 Material translatePhysical(const Sayings& says) {
@@ -228,10 +237,11 @@ Material translatePhysical(const Sayings& says) {
   result.ambient = result.diffuse;
   setHighlight(surface, result);
   if (transmission > 0.0) {
-    result.reflective.value = surface.straight * smoothness;
+    const double glance = surface.straight * (1.0 - surface.metallic) * smoothness;
+    result.reflective.value = kWhite * glance + surface.metal.value * mirror;
     result.transmissive = scaled(surface.base, transmission * opacity);
   } else {
-    result.reflective = scaled(surface.base, mirror);
+    result.reflective = scaled(surface.metal, mirror);
   }
   result.transmissive.value = result.transmissive.value + kWhite * (1.0 - opacity);
   // Without a volume a surface is a thin sheet, behind which rays go on as they came.

@@ -40,6 +40,9 @@ class Remarks : public Assimp::LogStream {
     // What the Blender reader says, many times for each file, is only this.
     if (text.starts_with("<add reason>"))
       return;
+    // We do read those above 2.
+    if (text.find("unexpected illumination model") != std::string_view::npos)
+      return;
     writer_.say(MessageKind::Remark, text);
   }
 

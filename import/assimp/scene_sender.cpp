@@ -92,13 +92,22 @@ class SceneSender {
     return items(scene_.mMaterials, scene_.mNumMaterials);
   }
 
+  /// Null if the file gives none. assimp makes one up then, which has this name.
+  [[nodiscard]] const aiMaterial* materialOf(const aiMesh& mesh) const {
+    const aiMaterial* const material =
+        mesh.mMaterialIndex < materials().size() ? materials()[mesh.mMaterialIndex] : nullptr;
+    aiString name;
+    const bool isMadeUp = material && material->Get(AI_MATKEY_NAME, name) == AI_SUCCESS &&
+                          std::string_view(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME;
+    return isMadeUp ? nullptr : material;
+  }
+
   void sendMesh(const aiMesh& mesh) {
     meshSender_.send(mesh, inDouble);
     for (const aiVector3D& normal : items(mesh.mNormals, mesh.mNumVertices))
       writer_.add(MessageKind::Normals, inDouble(normal));
-    const aiMaterial* material = nullptr;
-    if (mesh.mMaterialIndex < materials().size()) {
-      material = materials()[mesh.mMaterialIndex];
+    const aiMaterial* const material = materialOf(mesh);
+    if (material) {
       writer_.say(MessageKind::MeshMaterial, Payload().add(mesh.mMaterialIndex));
     }
     sendCoordinates(mesh, material);
