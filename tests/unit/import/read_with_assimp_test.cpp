@@ -139,6 +139,15 @@ TEST_F(ReadWithAssimp, RefusesAnswersThatBreakTheRules) {
   expectUnclear(std::string(kGreeting) + failure(static_cast<FailureKind>(9), ""), "unknown kind");
 }
 
+TEST_F(ReadWithAssimp, RefusesScenesWhereOnlyGeometryWasAskedFor) {
+  for (const MessageKind kind :
+       {MessageKind::Texture, MessageKind::Texels, MessageKind::Material,
+        MessageKind::MaterialValue, MessageKind::MaterialTexture, MessageKind::MeshMaterial,
+        MessageKind::Normals, MessageKind::Coordinates, MessageKind::Placement, MessageKind::Light,
+        MessageKind::Camera})
+    expectUnclear(kStart + message(kind) + kEnd, "a scene is told of");
+}
+
 TEST_F(ReadWithAssimp, TakesAllPrefixesAndChangesOfAnAnswerInOrder) {
   const std::string answer = kStart + kTriangle + polygons({3, 0, 1, 2}) + kEnd;
   for (std::size_t length = 0; length < answer.size(); length += 7) {
