@@ -26,10 +26,11 @@ std::string presentable(const std::string& text) {
 
 void RemarkList::add(const std::string& text) {
   ++count_;
-  if (remarks_.size() == kKept)
-    return;
   std::string remark = presentable(text);
-  if (std::find(remarks_.begin(), remarks_.end(), remark) == remarks_.end())
+  if (std::find(remarks_.begin(), remarks_.end(), remark) != remarks_.end())
+    return;
+  isComplete_ = remarks_.size() < kKept;
+  if (isComplete_)
     remarks_.push_back(std::move(remark));
 }
 

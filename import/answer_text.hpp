@@ -21,6 +21,8 @@ class RemarkList {
   void add(const std::string& text);
 
   [[nodiscard]] const std::vector<std::string>& remarks() const noexcept { return remarks_; }
+  /// Whether none that differs from those was left out.
+  [[nodiscard]] bool isComplete() const noexcept { return isComplete_; }
   [[nodiscard]] std::uint64_t count() const noexcept { return count_; }
 
  private:
@@ -28,6 +30,7 @@ class RemarkList {
 
   std::vector<std::string> remarks_;
   std::uint64_t count_ = 0;
+  bool isComplete_ = true;
 };
 
 /// The error that a message of the kind `Failure` tells of. Throws `BrokenMessages` if it tells of

@@ -25,6 +25,7 @@ enum class MessageKind : std::uint32_t {
 
   // These are told of scenes only. Textures and materials come before the meshes, meshes before
   // their placements. A colour, point or direction is three doubles.
+  Omission,         ///< text: what of the scene is left out or changed on this side
   Texture,          ///< two words, its width and height, and text, its name; its texels follow
   Texels,           ///< three floats for each, row by row from the top
   Material,         ///< text: its name; what is said of a material is said of the last one

@@ -59,6 +59,9 @@ void SceneReceiver::receive(Message& message) {
     case MessageKind::Remark:
       remarks_.add(message.text());
       break;
+    case MessageKind::Omission:
+      ownRemarks_.add(message.text());
+      break;
     case MessageKind::Texture:
       beginTexture(message);
       break;
@@ -319,8 +322,10 @@ scene::SceneDescription SceneReceiver::takeScene() {
                             .name = std::move(placed.name)});
   }
   scene.view = view_;
-  scene.remarks = remarks_.remarks();
-  for (const std::string& remark : ownRemarks_.remarks())
+  scene.remarks = ownRemarks_.remarks();
+  if (!ownRemarks_.isComplete())
+    scene.remarks.emplace_back("more is left out than is told here");
+  for (const std::string& remark : remarks_.remarks())
     scene.remarks.push_back(remark);
   addLights(lights_, scene);
   return scene;

@@ -76,8 +76,8 @@ class SceneReceiver {
 
   detail::MeshInput input_;
   ImportReport report_;
-  RemarkList remarks_;     ///< of the other side
-  RemarkList ownRemarks_;  ///< about numbers that cannot be
+  RemarkList remarks_;     ///< those of assimp
+  RemarkList ownRemarks_;  ///< about what is left out
 
   std::optional<TextureParts> texture_;  ///< the present one
   std::uint64_t promisedTexels_ = 0;     ///< of all textures

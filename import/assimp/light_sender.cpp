@@ -37,7 +37,7 @@ const Placement* LightSender::placementOf(const aiString& name) const {
     if (placed.node->mName == name)
       return &placed.placement;
   }
-  writer_.say(MessageKind::Remark,
+  writer_.say(MessageKind::Omission,
               std::string("there is no node for the light or camera ") + name.C_Str());
   return nullptr;
 }
@@ -45,7 +45,7 @@ const Placement* LightSender::placementOf(const aiString& name) const {
 void LightSender::send(const aiLight& light) const {
   const std::optional<LightKind> kind = kindOf(light, isGltf_);
   if (!kind)
-    return writer_.say(MessageKind::Remark, "a light of unknown kind is not read");
+    return writer_.say(MessageKind::Omission, "a light of unknown kind is not read");
   const Placement* const placement = placementOf(light.mName);
   if (!placement)
     return;
@@ -64,7 +64,7 @@ void LightSender::send(const aiLight& light) const {
 
 void LightSender::send(const aiCamera& camera) const {
   if (camera.mOrthographicWidth > 0) {
-    writer_.say(MessageKind::Remark, "an orthographic camera is not read");
+    writer_.say(MessageKind::Omission, "an orthographic camera is not read");
     return;
   }
   const Placement* const placement = placementOf(camera.mName);

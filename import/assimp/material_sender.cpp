@@ -140,12 +140,12 @@ void MaterialSender::sendFlag(MaterialProperty property) {
 void MaterialSender::sendUnreadMaps(const aiMaterial& material) {
   for (const auto& [type, words] : kUnreadMaps) {
     if (material.GetTextureCount(type) > 0)
-      writer_.say(MessageKind::Remark, std::string(words) + " are not read");
+      writer_.say(MessageKind::Omission, std::string(words) + " are not read");
   }
   aiString mode;
   if (colourTexture(material) && material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == AI_SUCCESS &&
       std::string_view(mode.C_Str()) != "OPAQUE")
-    writer_.say(MessageKind::Remark, "the alpha of textures is not read");
+    writer_.say(MessageKind::Omission, "the alpha of textures is not read");
 }
 
 }  // namespace planetree::importing

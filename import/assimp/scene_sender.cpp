@@ -112,7 +112,7 @@ class SceneSender {
     }
     sendCoordinates(mesh, material);
     if (mesh.mColors[0])
-      writer_.say(MessageKind::Remark, "the colours of vertices are not read");
+      writer_.say(MessageKind::Omission, "the colours of vertices are not read");
   }
 
   void sendCoordinates(const aiMesh& mesh, const aiMaterial* material) {

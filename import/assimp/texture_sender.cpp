@@ -44,7 +44,7 @@ std::optional<std::uint32_t> TextureSender::send(const std::string& reference) {
 }
 
 void TextureSender::leaveOut(const std::string& reference, const std::string& reason) {
-  writer_.say(MessageKind::Remark, "the texture " + reference + " is left out: " + reason);
+  writer_.say(MessageKind::Omission, "the texture " + reference + " is left out: " + reason);
 }
 
 scene::Texture TextureSender::read(const std::string& reference) const {

@@ -300,6 +300,15 @@ TEST_F(ReadSceneWithAssimp, KeepsFewOfManyRemarks) {
   ImportReport report;
   EXPECT_LT(readAnswer(answer + kEnd, &report).remarks.size(), 100u);
   EXPECT_EQ(report.remarkCount, 1000u);
+  // However much assimp talks, what is left out is told.
+  const std::string omission = message(MessageKind::Omission, "no\nnose");
+  const SceneDescription scene = readAnswer(answer + omission + kEnd);
+  EXPECT_EQ(scene.remarks.at(0), "no nose");
+  std::string omissions;
+  for (int i = 0; i < 100; ++i)
+    omissions += message(MessageKind::Omission, "omission " + std::to_string(i));
+  EXPECT_LT(readAnswer(omissions + kEnd).remarks.size(), 20u);
+  expectRemark(omissions + kEnd, "more is left out");
 }
 
 TEST_F(ReadSceneWithAssimp, PassesFailuresOn) {

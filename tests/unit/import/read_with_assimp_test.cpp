@@ -141,7 +141,7 @@ TEST_F(ReadWithAssimp, RefusesAnswersThatBreakTheRules) {
 
 TEST_F(ReadWithAssimp, RefusesScenesWhereOnlyGeometryWasAskedFor) {
   for (const MessageKind kind :
-       {MessageKind::Texture, MessageKind::Texels, MessageKind::Material,
+       {MessageKind::Omission, MessageKind::Texture, MessageKind::Texels, MessageKind::Material,
         MessageKind::MaterialValue, MessageKind::MaterialTexture, MessageKind::MeshMaterial,
         MessageKind::Normals, MessageKind::Coordinates, MessageKind::Placement, MessageKind::Light,
         MessageKind::Camera})
