@@ -36,19 +36,36 @@ PinholeCamera::PinholeCamera(const Camera& camera, double aspect) noexcept
     : eye_(camera.eye),
       axes_(cameraAxes(Vec3d(camera.at) - Vec3d(camera.eye), Vec3d(camera.up))),
       halfHeight_(std::tan(static_cast<double>(camera.fovDegrees) * std::numbers::pi / 360.0)) {
+  frame_ = axes_;
+  dual_ = axes_;
   halfWidth_ = halfHeight_ * aspect;
+  viewHeight_ = 2.0 * halfHeight_;
+}
+
+PinholeCamera::PinholeCamera(const scene::View& view) noexcept
+    : eye_(view.eye),
+      axes_(cameraAxes(view.look, view.v)),
+      frame_{view.u, view.v, view.look},
+      depthScale_(length(view.look)),
+      halfWidth_(0.5),
+      halfHeight_(0.5),
+      viewHeight_(length(view.v) / depthScale_) {
+  const double volume = dot(frame_.right, cross(frame_.up, frame_.forward));
+  dual_ = {cross(frame_.up, frame_.forward) / volume, cross(frame_.forward, frame_.right) / volume,
+           cross(frame_.right, frame_.up) / volume};
 }
 
 Rayf PinholeCamera::ray(double x, double y) const noexcept {
-  const Vec3d direction = axes_.forward + axes_.right * ((2.0 * x - 1.0) * halfWidth_) +
-                          axes_.up * ((1.0 - 2.0 * y) * halfHeight_);
+  const Vec3d direction = frame_.forward + frame_.right * ((2.0 * x - 1.0) * halfWidth_) +
+                          frame_.up * ((1.0 - 2.0 * y) * halfHeight_);
   return {.origin = eye_, .direction = Vec3f(normalized(direction))};
 }
 
 Vec3d PinholeCamera::viewCoordinates(const Vec3d& point) const noexcept {
   const Vec3d fromEye = point - Vec3d(eye_);
-  return {dot(fromEye, axes_.right) / halfWidth_, dot(fromEye, axes_.up) / halfHeight_,
-          dot(fromEye, axes_.forward)};
+  const Vec3d place{dot(fromEye, dual_.right) / halfWidth_, dot(fromEye, dual_.up) / halfHeight_,
+                    dot(fromEye, dual_.forward)};
+  return place * depthScale_;
 }
 
 }  // namespace planetree::render

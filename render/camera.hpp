@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/view.hpp"
+
 #include <planetree/geometry/ray.hpp>
 #include <planetree/geometry/vec3.hpp>
 
@@ -31,6 +33,9 @@ class PinholeCamera {
   /// be different points.
   PinholeCamera(const Camera& camera, double aspect) noexcept;
 
+  /// The camera of a scene: its axes are used as given. They must not lie in one plane.
+  explicit PinholeCamera(const scene::View& view) noexcept;
+
   /// The ray through a point of the picture: x from 0 (left) to 1, y from 0 (top) to 1.
   [[nodiscard]] Rayf ray(double x, double y) const noexcept;
 
@@ -39,15 +44,19 @@ class PinholeCamera {
   [[nodiscard]] Vec3d viewCoordinates(const Vec3d& point) const noexcept;
 
   /// The height of what the picture shows, at distance 1 from the eye.
-  [[nodiscard]] double viewHeight() const noexcept { return 2.0 * halfHeight_; }
+  [[nodiscard]] double viewHeight() const noexcept { return viewHeight_; }
 
   [[nodiscard]] const CameraAxes& axes() const noexcept { return axes_; }
 
  private:
   Vec3f eye_;
   CameraAxes axes_;
-  double halfWidth_;  ///< of the picture, at distance 1 from the eye
+  CameraAxes frame_;         ///< what rays are made of; of any lengths and angles
+  CameraAxes dual_;          ///< what views are made of: dot products with `frame_` are 0 or 1
+  double depthScale_ = 1.0;  ///< the length of `frame_.forward`
+  double halfWidth_;         ///< of the picture, in units of `frame_`
   double halfHeight_;
+  double viewHeight_;
 };
 
 }  // namespace planetree::render

@@ -23,6 +23,25 @@ struct FilmSample {
   }
 };
 
+/// The samples that a pixel has so far. They are added in their order, whatever time passes between
+/// two of them: floats do not add up to the same in another one.
+struct PixelSum {
+  FilmSample sum;
+  std::uint32_t count = 0;
+
+  void add(const FilmSample& sample) noexcept {
+    sum += sample;
+    ++count;
+  }
+  /// Nothing without samples.
+  [[nodiscard]] FilmSample mean() const noexcept {
+    if (count == 0)
+      return {};
+    const float weight = 1.0f / static_cast<float>(count);
+    return {.value = sum.value * weight, .coverage = sum.coverage * weight};
+  }
+};
+
 /// The samples of a picture before they become colours, row by row from the top left.
 class Film {
  public:

@@ -20,6 +20,15 @@ struct ImageSize {
   }
 };
 
+/// Part of a picture: its upper left corner, and how large it is.
+struct PixelWindow {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  ImageSize size;
+
+  friend constexpr bool operator==(const PixelWindow&, const PixelWindow&) noexcept = default;
+};
+
 /// A colour as a screen takes it (sRGB), eight bits a channel.
 struct Rgb8 {
   std::uint8_t red = 0;

@@ -9,16 +9,8 @@
 
 namespace planetree::render {
 
-namespace {
-
-/// Side of the square tiles that threads take on. Small enough to share the work evenly, large
-/// enough that the rays of a tile find the nodes they need in the cache.
-constexpr std::size_t kTileSide = 16;
-
-}  // namespace
-
 void forEachTile(const ImageSize& size, std::uint32_t threadCount,
-                 const std::function<void(const Tile&)>& visit) {
+                 const std::function<void(const Tile&)>& visit, std::uint32_t side) {
   const int threads =
       threadCount == 0 ? tbb::info::default_concurrency() : static_cast<int>(threadCount);
   // Without it oneTBB never runs more threads than the machine has.
@@ -26,7 +18,7 @@ void forEachTile(const ImageSize& size, std::uint32_t threadCount,
                                     static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   using Range = tbb::blocked_range2d<std::uint32_t>;
-  const Range picture(0, size.height, kTileSide, 0, size.width, kTileSide);
+  const Range picture(0, size.height, side, 0, size.width, side);
   arena.execute([&] {
     tbb::parallel_for(
         picture,

@@ -18,10 +18,14 @@ struct Tile {
   std::uint32_t endY = 0;
 };
 
+/// Side of the square tiles that threads take on. Small enough to share the work evenly, large
+/// enough that the rays of a tile find the nodes they need in the cache.
+inline constexpr std::uint32_t kTileSide = 16;
+
 /// Calls `visit` once for each of the tiles that make up a picture, from several threads; 0 is as
 /// many as the machine has.
 void forEachTile(const ImageSize& size, std::uint32_t threadCount,
-                 const std::function<void(const Tile&)>& visit);
+                 const std::function<void(const Tile&)>& visit, std::uint32_t side = kTileSide);
 
 /// Counts work that many threads do, tells how much of it is done, and asks whether to go on.
 class Progress {
@@ -36,11 +40,19 @@ class Progress {
       isStopped_ = true;
   }
 
+  /// Corrects how much work there is in all; not while others call `add`.
+  void setTotal(std::size_t total) noexcept { total_ = total; }
+
+  /// The part of the work that is done, from 0 to 1.
+  [[nodiscard]] double done() const noexcept {
+    return total_ == 0 ? 1.0 : static_cast<double>(done_) / static_cast<double>(total_);
+  }
+
   [[nodiscard]] bool isStopped() const noexcept { return isStopped_; }
 
  private:
   std::function<bool(double)> keepsGoing_;
-  std::size_t total_;
+  std::atomic<std::size_t> total_;
   std::atomic<std::size_t> done_ = 0;
   std::atomic<bool> isStopped_ = false;
 };

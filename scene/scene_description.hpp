@@ -43,6 +43,7 @@ struct MeshShape {
   std::vector<std::array<double, 2>> coordinates;  ///< of textures
   std::vector<std::uint32_t> vertexMaterials;      ///< interpolated over faces
   std::vector<std::uint32_t> faceMaterials;        ///< one for each face, or none
+  bool isTwoSided = false;                         ///< shaded on the side the ray comes from
 };
 
 using ShapeDescription = std::variant<UnitSphere, UnitBox, UnitSquare, UnitCylinder, ConeShape,

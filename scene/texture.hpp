@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace planetree::scene {
@@ -27,6 +28,8 @@ class Texture {
   /// Bilinear between the middles of the texels, u from the left and v from the bottom. It repeats
   /// beyond [0, 1]; what is not finite is taken for 0.
   [[nodiscard]] Vec3d at(double u, double v) const noexcept;
+  /// The same, but beyond the middles of the outermost texels their colour goes on.
+  [[nodiscard]] Vec3d clampedAt(double u, double v) const noexcept;
 
  private:
   std::uint32_t width_;
@@ -34,8 +37,9 @@ class Texture {
   std::vector<Vec3f> texels_;
 };
 
-/// Reads PNG, BMP, JPEG, TGA and what else stb_image reads. Throws `Error`: `FileNotReadable`,
-/// `UnknownFormat`, `MalformedFile`, or `CapacityExceeded` for images of more than 2^27 texels.
+/// Reads PNG, BMP, JPEG and TGA, by stb_image; what is transparent in them is not. Throws `Error`:
+/// `FileNotReadable`, `UnknownFormat`, `MalformedFile`, or `CapacityExceeded` for images of more
+/// than 2^27 texels.
 [[nodiscard]] Texture readTexture(const std::filesystem::path& path);
 /// The same for the bytes of such a file; `name` is for errors.
 [[nodiscard]] Texture readTexture(std::span<const std::byte> bytes, const std::string& name);

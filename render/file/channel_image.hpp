@@ -23,6 +23,12 @@ struct Channel {
 struct ChannelImage {
   ImageSize size;
   std::vector<Channel> channels;
+
+  /// Where its upper left corner is in a whole picture of this size, of which it is a part; a size
+  /// without pixels if it is none.
+  std::uint32_t firstX = 0;
+  std::uint32_t firstY = 0;
+  ImageSize wholeSize = {};
 };
 
 }  // namespace planetree::render

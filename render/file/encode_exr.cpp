@@ -47,8 +47,20 @@ std::string attributeName(std::string key) {
   return key;
 }
 
+Imath::Box2i windowOf(const PixelWindow& window) {
+  const Imath::V2i first(static_cast<int>(window.x), static_cast<int>(window.y));
+  const Imath::V2i size(static_cast<int>(window.size.width), static_cast<int>(window.size.height));
+  return {first, first + size - Imath::V2i(1)};
+}
+
+/// The pixels that there are, in the coordinates of the whole picture.
+Imath::Box2i dataWindow(const ChannelImage& image) {
+  return windowOf({image.firstX, image.firstY, image.size});
+}
+
 Imf::Header makeHeader(const ChannelImage& image, const Metadata& metadata) {
-  Imf::Header header(static_cast<int>(image.size.width), static_cast<int>(image.size.height));
+  const bool isPart = image.wholeSize.pixelCount() != 0;
+  Imf::Header header(windowOf({0, 0, isPart ? image.wholeSize : image.size}), dataWindow(image));
   header.compression() = Imf::ZIP_COMPRESSION;
   // The primaries of sRGB, which are also those that readers assume.
   Imf::addChromaticities(header, Imf::Chromaticities());
@@ -71,18 +83,14 @@ std::vector<Imath::half> halves(const std::vector<float>& values) {
 std::vector<std::byte> encodeExr(const ChannelImage& image, const Metadata& metadata) {
   std::vector<std::vector<Imath::half>> rounded;
   rounded.reserve(image.channels.size());
+  const Imath::Box2i window = dataWindow(image);
   Imf::FrameBuffer frame;
   for (const Channel& channel : image.channels) {
-    // The frame is for reading and writing, hence without const.
     if (channel.type == ChannelType::Half) {
-      auto* const values = rounded.emplace_back(halves(channel.values)).data();
-      frame.insert(channel.name,
-                   Imf::Slice(Imf::HALF, reinterpret_cast<char*>(values), sizeof(Imath::half),
-                              sizeof(Imath::half) * image.size.width));
+      const auto* const values = rounded.emplace_back(halves(channel.values)).data();
+      frame.insert(channel.name, Imf::Slice::Make(Imf::HALF, values, window));
     } else {
-      auto* const values = const_cast<float*>(channel.values.data());
-      frame.insert(channel.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values),
-                                            sizeof(float), sizeof(float) * image.size.width));
+      frame.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.values.data(), window));
     }
   }
 

@@ -1,5 +1,7 @@
 #include "render/shading/ambient_occlusion.hpp"
 
+#include "render/image.hpp"
+#include "render/shading/albedo.hpp"
 #include "render/shading/surface_point.hpp"
 
 #include <algorithm>
@@ -33,17 +35,22 @@ Vec3f product(const Vec3f& a, const Vec3f& b) noexcept {
 
 }  // namespace
 
-AmbientOcclusion::AmbientOcclusion(const Box3& scene, const CameraAxes& axes, const Vec3f& up,
+AmbientOcclusion::AmbientOcclusion(const Box3& bounds, const CameraAxes& axes, const Vec3f& up,
                                    std::vector<Vec3f> albedos)
-    : scene_(scene),
-      reach_(kReach * diagonal(scene)),
+    : bounds_(bounds),
+      reach_(kReach * diagonal(bounds)),
       up_(normalized(up)),
       keyDirection_(Vec3f(normalized(axes.up * 0.75 - axes.right * 0.8 - axes.forward * 0.3))),
       albedos_(std::move(albedos)) {}
 
-std::vector<FilmSample> AmbientOcclusion::shade(RayCounter& tracer,
-                                                const CameraRays& camera) const {
-  const std::vector<Hitf> hits = tracer.findIntersections(camera.rays);
+AmbientOcclusion::AmbientOcclusion(const scene::BuiltScene& scene, const CameraAxes& axes,
+                                   const Vec3f& up)
+    : AmbientOcclusion(scene.tree().bounds(), axes, up, {}) {
+  scene_ = &scene;
+}
+
+std::vector<FilmSample> AmbientOcclusion::shade(RayCounter& tracer, CameraRays& camera) const {
+  const std::vector<Hitf>& hits = camera.hits(tracer);
   const std::vector<std::uint8_t> areBlocked = tracer.areOccluded(raysFromSurfaces(camera, hits));
   auto isBlocked = areBlocked.begin();
   std::vector<FilmSample> samples(hits.size());
@@ -55,7 +62,8 @@ std::vector<FilmSample> AmbientOcclusion::shade(RayCounter& tracer,
       open += *isBlocked++ != 0 ? kBounce : 1.0f;
     open /= static_cast<float>(kDirectionsPerSample);
     const Vec3f light = openLight(normalTowardViewer(hits[i], camera.rays[i]));
-    samples[i] = {.value = product(albedo(hits[i]), light) * open, .coverage = 1.0f};
+    samples[i] = {.value = product(albedo(camera.rays[i], hits[i]), light) * open,
+                  .coverage = 1.0f};
   }
   return samples;
 }
@@ -69,7 +77,7 @@ std::vector<Rayf> AmbientOcclusion::raysFromSurfaces(const CameraRays& camera,
       continue;
     const Vec3f normal = normalTowardViewer(hits[i], camera.rays[i]);
     const Vec3f point = camera.rays[i].at(hits[i].t);
-    const Vec3f origin = point + normal * surfaceOffset(scene_, point);
+    const Vec3f origin = point + normal * surfaceOffset(bounds_, point);
     for (const Point2& direction : camera.directions[i])
       rays.push_back(
           {.origin = origin, .direction = cosineDistributed(normal, direction), .tMax = reach_});
@@ -77,7 +85,9 @@ std::vector<Rayf> AmbientOcclusion::raysFromSurfaces(const CameraRays& camera,
   return rays;
 }
 
-Vec3f AmbientOcclusion::albedo(const Hitf& hit) const noexcept {
+Vec3f AmbientOcclusion::albedo(const Rayf& ray, const Hitf& hit) const {
+  if (scene_ != nullptr)
+    return srgbDecoded(diffuseColour(scene_->surface(ray, hit)));
   return hit.geometry < albedos_.size() ? albedos_[hit.geometry] : kClay;
 }
 

@@ -3,6 +3,7 @@
 #include "render/shading/shading.hpp"
 
 #include "render/camera.hpp"
+#include "scene/build_scene.hpp"
 
 #include <planetree/geometry/box3.hpp>
 
@@ -19,26 +20,29 @@ class AmbientOcclusion final : public Shading {
   /// `axes` are those of the camera: the light comes from above its left shoulder, so that every
   /// model is lit in the same way. `albedos` are the colours of the geometries, in linear light;
   /// those without one are the colour of clay.
-  AmbientOcclusion(const Box3& scene, const CameraAxes& axes, const Vec3f& up,
+  AmbientOcclusion(const Box3& bounds, const CameraAxes& axes, const Vec3f& up,
                    std::vector<Vec3f> albedos);
+  /// The same, in the diffuse colours of a scene, which must outlive the shading.
+  AmbientOcclusion(const scene::BuiltScene& scene, const CameraAxes& axes, const Vec3f& up);
 
   [[nodiscard]] std::vector<FilmSample> shade(RayCounter& tracer,
-                                              const CameraRays& camera) const override;
+                                              CameraRays& camera) const override;
   [[nodiscard]] Development develop(const Film& film) const override;
 
  private:
   /// Those that each surface sends, one after the other.
   [[nodiscard]] std::vector<Rayf> raysFromSurfaces(const CameraRays& camera,
                                                    const std::vector<Hitf>& hits) const;
-  [[nodiscard]] Vec3f albedo(const Hitf& hit) const noexcept;
+  [[nodiscard]] Vec3f albedo(const Rayf& ray, const Hitf& hit) const;
   /// The light on a surface from which nothing is blocked.
   [[nodiscard]] Vec3f openLight(const Vec3f& normal) const noexcept;
 
-  Box3 scene_;
+  Box3 bounds_;
   float reach_;  ///< how far away a surface can still shade
   Vec3f up_;
   Vec3f keyDirection_;
   std::vector<Vec3f> albedos_;
+  const scene::BuiltScene* scene_ = nullptr;
 };
 
 }  // namespace planetree::render

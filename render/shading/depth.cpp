@@ -38,8 +38,8 @@ std::vector<float> coveredDepths(const Film& film) {
 
 }  // namespace
 
-std::vector<FilmSample> Depth::shade(RayCounter& tracer, const CameraRays& camera) const {
-  const std::vector<Hitf> hits = tracer.findIntersections(camera.rays);
+std::vector<FilmSample> Depth::shade(RayCounter& tracer, CameraRays& camera) const {
+  const std::vector<Hitf>& hits = camera.hits(tracer);
   std::vector<FilmSample> samples(hits.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (!isSurface(hits[i]))

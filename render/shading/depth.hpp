@@ -16,7 +16,7 @@ class Depth final : public Shading {
   explicit Depth(const Vec3f& viewDirection) : viewDirection_(viewDirection) {}
 
   [[nodiscard]] std::vector<FilmSample> shade(RayCounter& tracer,
-                                              const CameraRays& camera) const override;
+                                              CameraRays& camera) const override;
   [[nodiscard]] Development develop(const Film& film) const override;
 
  private:

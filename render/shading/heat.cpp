@@ -46,16 +46,15 @@ double chosenBrightest(std::vector<float> values) {
 }  // namespace
 
 // Ray by ray: only so does a search count the nodes of the tree as the user knows them.
-std::vector<FilmSample> Heat::shade(RayCounter& tracer, const CameraRays& camera) const {
+std::vector<FilmSample> Heat::shade(RayCounter& tracer, CameraRays& camera) const {
   std::vector<FilmSample> samples;
   samples.reserve(camera.rays.size());
-  for (const Rayf& ray : camera.rays) {
-    StepCounts counts;
-    const bool isHit = tracer.findIntersection(ray, counts).has_value();
+  for (const RayCounter::CountedSearch& search : tracer.countSteps(camera.rays)) {
+    const StepCounts& counts = search.steps;
     samples.push_back(
         {.value = {static_cast<float>(counts.splitNodes), static_cast<float>(counts.leafNodes),
                    static_cast<float>(counts.objects)},
-         .coverage = isHit ? 1.0f : 0.0f});
+         .coverage = search.isHit ? 1.0f : 0.0f});
   }
   return samples;
 }

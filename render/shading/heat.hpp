@@ -17,7 +17,7 @@ class Heat final : public Shading {
   explicit Heat(std::optional<double> brightest = std::nullopt) noexcept : brightest_(brightest) {}
 
   [[nodiscard]] std::vector<FilmSample> shade(RayCounter& tracer,
-                                              const CameraRays& camera) const override;
+                                              CameraRays& camera) const override;
   [[nodiscard]] Development develop(const Film& film) const override;
 
  private:

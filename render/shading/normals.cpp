@@ -22,12 +22,19 @@ Light normalColour(const FilmSample& sample) noexcept {
 
 }  // namespace
 
-std::vector<FilmSample> Normals::shade(RayCounter& tracer, const CameraRays& camera) const {
-  const std::vector<Hitf> hits = tracer.findIntersections(camera.rays);
+std::vector<FilmSample> Normals::shade(RayCounter& tracer, CameraRays& camera) const {
+  const std::vector<Hitf>& hits = camera.hits(tracer);
   std::vector<FilmSample> samples(hits.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (isSurface(hits[i]))
-      samples[i] = {.value = normalTowardViewer(hits[i], camera.rays[i]), .coverage = 1.0f};
+    if (!isSurface(hits[i]))
+      continue;
+    Vec3f normal = normalTowardViewer(hits[i], camera.rays[i]);
+    if (scene_ != nullptr) {
+      const Vec3f shaded(scene_->surface(camera.rays[i], hits[i]).normal);
+      // The side is that of the face: near an outline an interpolated normal may look away.
+      normal = dot(shaded, normal) < 0.0f ? -shaded : shaded;
+    }
+    samples[i] = {.value = normal, .coverage = 1.0f};
   }
   return samples;
 }

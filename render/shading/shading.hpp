@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/file/channel_image.hpp"
 #include "render/film.hpp"
 #include "render/light.hpp"
 #include "render/sample_points.hpp"
@@ -27,12 +28,14 @@ struct ValueRange {
 struct Measurement {
   std::string channel;  ///< its name in a file of channels
   std::function<float(const FilmSample&)> value;
+  ChannelType type = ChannelType::Float;
 };
 
 /// How the pixels of one film are to be shown.
 struct Development {
   std::function<Light(const FilmSample&)> light;
   bool hasBackdrop = false;  ///< what nothing covers is not black
+  bool isEncoded = false;    ///< the colours are for the screen as they are, not in linear light
   std::vector<Measurement> measurements;
   std::optional<ValueRange> range;  ///< if the colours measure something
 };
@@ -41,6 +44,14 @@ struct Development {
 struct CameraRays {
   std::vector<Rayf> rays;
   std::vector<DirectionPoints> directions;
+  std::optional<std::vector<Hitf>> firstHits = {};  ///< kept by `hits`
+
+  /// What each ray hits first. It is traced once, whichever shadings ask.
+  [[nodiscard]] const std::vector<Hitf>& hits(RayCounter& tracer) {
+    if (!firstHits)
+      firstHits = tracer.findIntersections(rays);
+    return *firstHits;
+  }
 };
 
 /// A way to turn rays into a picture, in two steps: what each camera ray sees, then which colours
@@ -52,7 +63,7 @@ class Shading {
   /// What each camera ray sees; it does not depend on which rays come with it. Whatever the shading
   /// has to choose at random it chooses by their `directions`. Any thread may call it.
   [[nodiscard]] virtual std::vector<FilmSample> shade(RayCounter& tracer,
-                                                      const CameraRays& camera) const = 0;
+                                                      CameraRays& camera) const = 0;
 
   /// The answer does not refer to the shading or to the film.
   [[nodiscard]] virtual Development develop(const Film& film) const = 0;

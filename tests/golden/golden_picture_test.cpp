@@ -67,8 +67,8 @@ Image renderStillLife(const GoldenPicture& picture) {
                                               .samplesPerPixel = 16,
                                               .albedos = stillLife.albedos,
                                               .cellDepth = picture.cellDepth});
-  const Image image = shownImage(*rendering);
-  return picture.mode == RenderMode::Heat ? withHeatLegend(image, *rendering->range) : image;
+  const Image image = shownImage(rendering);
+  return picture.mode == RenderMode::Heat ? withHeatLegend(image, *rendering.range) : image;
 }
 
 double rootMeanSquare(const Image& a, const Image& b) {

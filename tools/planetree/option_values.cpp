@@ -229,9 +229,11 @@ std::string cameraText(const render::Camera& camera) {
 
 render::RenderMode parseMode(const OptionText& option) {
   using render::RenderMode;
-  return choose<RenderMode, 4>(option, {{{"ao", RenderMode::AmbientOcclusion},
+  return choose<RenderMode, 6>(option, {{{"whitted", RenderMode::Whitted},
+                                         {"ao", RenderMode::AmbientOcclusion},
                                          {"normals", RenderMode::Normals},
                                          {"depth", RenderMode::Depth},
+                                         {"albedo", RenderMode::Albedo},
                                          {"heat", RenderMode::Heat}}});
 }
 
@@ -273,6 +275,10 @@ std::string_view modeName(render::RenderMode mode) noexcept {
       return "depth";
     case render::RenderMode::Heat:
       return "heat";
+    case render::RenderMode::Whitted:
+      return "whitted";
+    case render::RenderMode::Albedo:
+      return "albedo";
     case render::RenderMode::AmbientOcclusion:
       break;
   }

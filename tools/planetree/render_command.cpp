@@ -223,8 +223,7 @@ render::Rendering renderWithProgress(const render::Tracer& tracer, render::Rende
     progress.update(done);
     return true;
   };
-  // It goes on to the end, so there is a picture.
-  return *renderImage(tracer, settings);
+  return renderImage(tracer, settings);
 }
 
 int renderSubject(const RenderCommand& command, const Subject& subject, const Talk& talk) {

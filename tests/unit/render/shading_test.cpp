@@ -39,7 +39,8 @@ std::unique_ptr<Tracer> roomTracer() {
 /// What one ray sees.
 FilmSample shade(const Shading& shading, RayCounter& tracer, const Rayf& ray,
                  const DirectionPoints& directions = {}) {
-  return shading.shade(tracer, {.rays = {ray}, .directions = {directions}}).front();
+  CameraRays camera{.rays = {ray}, .directions = {directions}};
+  return shading.shade(tracer, camera).front();
 }
 
 constexpr Rayf kDownward{.origin = {0.1f, 1.0f, 0.2f}, .direction = {0.0f, -1.0f, 0.0f}};
