@@ -136,8 +136,19 @@ void translateReflection(const Sayings& says, Material& result) {
 /// file has a map and black, or no colour, the map stands for itself.
 ColourSource mapped(const Sayings& says, MaterialProperty property, const Vec3d& otherwise) {
   const auto map = says.texture(property);
-  const Vec3d colour = says.colour(property).value_or(otherwise);
+  const Vec3d colour = says.colour(property).value_or(map ? kWhite : otherwise);
   return {map && most(colour) == 0.0 ? kWhite : colour, map};
+}
+
+/// A black one is the diffuse one: most programs write black for want of an opinion, and a shade
+/// without any light would hide what is in it.
+ColourSource ambientOf(const Sayings& says, const ColourSource& diffuse) {
+  ColourSource ambient = mapped(says, MaterialProperty::Ambient, diffuse.value);
+  if (most(ambient.value) == 0.0)
+    return diffuse;
+  if (!ambient.texture)
+    ambient.texture = diffuse.texture;
+  return ambient;
 }
 
 Material translateClassic(const Sayings& says) {
@@ -148,9 +159,7 @@ Material translateClassic(const Sayings& says) {
     unlit.emissive = result.diffuse;
     return unlit;
   }
-  result.ambient = mapped(says, MaterialProperty::Ambient, result.diffuse.value);
-  if (!result.ambient.texture)
-    result.ambient.texture = result.diffuse.texture;
+  result.ambient = ambientOf(says, result.diffuse);
   result.specular = mapped(says, MaterialProperty::Specular, Vec3d{});
   result.emissive = mapped(says, MaterialProperty::Emissive, Vec3d{});
   translateReflection(says, result);

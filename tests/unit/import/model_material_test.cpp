@@ -133,6 +133,18 @@ TEST(TranslateMaterial, LetsMapsStandForThemselvesWhereTheColourIsBlack) {
   EXPECT_FALSE(physical.emissive.texture.has_value());
 }
 
+TEST(TranslateMaterial, TakesTheDiffuseColourForAnAmbientOneThatIsBlack) {
+  const Material material =
+      translated({{MaterialProperty::Ambient, kBlack}, {MaterialProperty::Diffuse, {0.5, 0.25, 0}}},
+                 {{MaterialProperty::Diffuse, 2}});
+  EXPECT_EQ(material.ambient.value, (Vec3d{0.5, 0.25, 0}));
+  EXPECT_EQ(material.ambient.texture, 2u);
+}
+
+TEST(TranslateMaterial, LetsMapsStandForThemselvesWhereThereIsNoColour) {
+  EXPECT_EQ(translated({}, {{MaterialProperty::Diffuse, 0}}).diffuse.value, kWhite);
+}
+
 TEST(TranslateMaterial, ScattersRoughMetalAndMirrorsSmoothMetal) {
   const auto metal = [](double roughness) {
     return translated({{MaterialProperty::Diffuse, {1, 0.5, 0.25}},
