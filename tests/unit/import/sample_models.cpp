@@ -50,6 +50,13 @@ std::string studioChunk(std::uint16_t id, const std::string& content) {
 
 }  // namespace
 
+std::string floats(std::initializer_list<float> numbers) {
+  std::string bytes;
+  for (const float number : numbers)
+    bytes += littleEndian(number);
+  return bytes;
+}
+
 std::string offCube() {
   return "OFF\n8 6 0\n"
          "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"

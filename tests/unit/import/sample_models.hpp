@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@ struct SampleModel {
   std::string name;  ///< with the extension of its format
   std::string bytes;
 };
+
+/// Floats as files have them, least significant byte first.
+[[nodiscard]] std::string floats(std::initializer_list<float> numbers);
 
 /// A cube of six quads, from (0, 0, 0) to (1, 1, 1).
 [[nodiscard]] std::string offCube();

@@ -1,4 +1,5 @@
 #include "import/import_mesh.hpp"
+#include "import/import_scene.hpp"
 
 #include <planetree/error.hpp>
 
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <string>
 #include <vector>
 
 namespace planetree::test {
@@ -15,12 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Where Debian's assimp-testmodels puts them.
-constexpr const char* kFolder = "/usr/share/assimp/models";
+const std::string kFolder = "/usr/share/assimp/models";
 
-std::vector<fs::path> testModels() {
+std::vector<fs::path> testModels(const std::string& part = "") {
   std::vector<fs::path> paths;
   std::error_code missing;
-  for (const auto& entry : fs::recursive_directory_iterator(kFolder, missing)) {
+  for (const auto& entry : fs::recursive_directory_iterator(kFolder + part, missing)) {
     if (entry.is_regular_file())
       paths.push_back(entry.path());
   }
@@ -47,6 +49,37 @@ TEST(TestModels, AreReadOrRefusedInOneLine) {
   std::cout << readCount << " of " << paths.size() << " files have triangles\n";
   // Textures, buffers and texts are among the files.
   EXPECT_GT(readCount, paths.size() / 2);
+}
+
+TEST(TestModels, WithTexturesAreScenesOrRefusedInOneLine) {
+  std::vector<fs::path> paths;
+  for (const char* const part : {"/glTF2", "/OBJ", "/Collada"}) {
+    const std::vector<fs::path> some = testModels(part);
+    paths.insert(paths.end(), some.begin(), some.end());
+  }
+  if (paths.empty())
+    GTEST_SKIP() << "assimp-testmodels is not installed";
+  std::size_t readCount = 0;
+  std::size_t textureCount = 0;
+  for (const fs::path& path : paths) {
+    try {
+      const scene::SceneDescription scene = importing::importScene(path);
+      readCount += scene.shapes.empty() ? 0u : 1u;
+      textureCount += scene.textures.size();
+      for (const scene::PlacedShape& shape : scene.shapes)
+        ASSERT_LT(shape.material, scene.materials.size()) << path;
+      EXPECT_FALSE(scene.pointLights.empty() && scene.directionalLights.empty() &&
+                   scene.ambientLight == Vec3d{})
+          << path;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.file(), path.string());
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+  std::cout << readCount << " of " << paths.size() << " files are scenes, with " << textureCount
+            << " textures\n";
+  EXPECT_GT(readCount, paths.size() / 3);
+  EXPECT_GE(textureCount, 20u);
 }
 
 TEST(TestModels, GltfExamplesHaveTheTrianglesThatTheyAreKnownFor) {
