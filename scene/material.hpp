@@ -12,12 +12,16 @@ namespace planetree::scene {
 struct ColourSource {
   Vec3d value{0, 0, 0};                       ///< a factor where there is a texture
   std::optional<std::uint32_t> texture = {};  ///< index in `SceneDescription::textures`
+
+  friend bool operator==(const ColourSource&, const ColourSource&) noexcept = default;
 };
 
 /// A number, or an image: its intensity times `value`.
 struct NumberSource {
   double value = 0.0;
   std::optional<std::uint32_t> texture = {};
+
+  friend bool operator==(const NumberSource&, const NumberSource&) noexcept = default;
 };
 
 /// The surface of Whitted, "An improved illumination model for shaded display", CACM 1980, with the
@@ -33,6 +37,8 @@ struct Material {
   ColourSource transmissive = {};  ///< the part of light that passes; refracted by `index`
   NumberSource index{1.0};         ///< of refraction, relative to what is outside
   NumberSource shininess{0.0};     ///< the exponent of the highlight
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// A material at one place of a surface.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace planetree::scene {
@@ -36,8 +37,9 @@ class Texture {
   std::vector<Vec3f> texels_;
 };
 
-/// Reads PNG, BMP, JPEG, TGA and what else stb_image reads. Throws `Error`: `FileNotReadable`,
-/// `UnknownFormat`, `MalformedFile`, or `CapacityExceeded` for images of more than 2^27 texels.
+/// Reads PNG, BMP, JPEG and TGA, by stb_image; what is transparent in them is not. Throws `Error`:
+/// `FileNotReadable`, `UnknownFormat`, `MalformedFile`, or `CapacityExceeded` for images of more
+/// than 2^27 texels.
 [[nodiscard]] Texture readTexture(const std::filesystem::path& path);
 /// The same for the bytes of such a file; `name` is for errors.
 [[nodiscard]] Texture readTexture(std::span<const std::byte> bytes, const std::string& name);

@@ -7,7 +7,8 @@ packages_for() {
   case $1 in
     # To configure and build everything, the tests included.
     build) echo g++ cmake ninja-build libtbb-dev libhwy-dev libcli11-dev libfmt-dev \
-                libpng-dev libopenexr-dev libassimp-dev libgtest-dev nlohmann-json3-dev ;;
+                libpng-dev libopenexr-dev libassimp-dev libstb-dev libgtest-dev \
+                nlohmann-json3-dev ;;
     # To have a bunny to draw.
     demo) echo glmark2-data ;;
     # For scripts/bench.sh: the libraries that planetree is compared with.

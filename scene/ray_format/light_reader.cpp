@@ -1,0 +1,79 @@
+#include "scene/ray_format/light_reader.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace planetree::scene::ray_format {
+namespace {
+
+constexpr std::array<std::string_view, 1> kAmbientKeywords = {"color"};
+constexpr BlockSyntax kAmbientSyntax = {"ambient_light", kAmbientKeywords, Repeats::Refused};
+
+constexpr std::array<std::string_view, 2> kDirectionalKeywords = {"direction", "color"};
+constexpr BlockSyntax kDirectionalSyntax = {"directional_light", kDirectionalKeywords,
+                                            Repeats::Refused};
+
+constexpr std::array<std::string_view, 5> kPointKeywords = {
+    "position", "color", "constant_attenuation_coeff", "linear_attenuation_coeff",
+    "quadratic_attenuation_coeff"};
+constexpr BlockSyntax kPointSyntax = {"point_light", kPointKeywords, Repeats::Refused};
+
+Vec3d require(const TokenReader& tokens, const std::optional<Vec3d>& given, const Token& light,
+              const std::string& keyword) {
+  if (given)
+    return *given;
+  throw tokens.malformed(light.place,
+                         "the \"" + std::string(light.text) + "\" has no \"" + keyword + "\"",
+                         "Add " + keyword + " = (..., ..., ...)");
+}
+
+}  // namespace
+
+void readAmbientLight(TokenReader& tokens, const Token& light, SceneDescription& scene) {
+  std::optional<Vec3d> colour;
+  tokens.block(kAmbientSyntax, [&](const Token& keyword) { colour = tokens.vectorOf(keyword); });
+  scene.ambientLight = scene.ambientLight + require(tokens, colour, light, "color");
+}
+
+void readDirectionalLight(TokenReader& tokens, const Token& light, SceneDescription& scene) {
+  std::optional<Vec3d> direction;
+  std::optional<Vec3d> colour;
+  tokens.block(kDirectionalSyntax, [&](const Token& keyword) {
+    const Vec3d value = tokens.vectorOf(keyword);
+    (keyword.text == "direction" ? direction : colour) = value;
+    if (direction == Vec3d{0, 0, 0}) {
+      throw tokens.malformed(keyword.place, "the \"direction\" is (0, 0, 0)",
+                             "Say in which direction the light travels");
+    }
+  });
+  scene.directionalLights.push_back(
+      {require(tokens, direction, light, "direction"), require(tokens, colour, light, "color")});
+}
+
+void readPointLight(TokenReader& tokens, const Token& light, SceneDescription& scene) {
+  PointLight result;
+  // The format's own defaults, whichever those of the structure are.
+  result.constant = 0.0;
+  result.linear = 0.0;
+  result.quadratic = 1.0;
+  std::optional<Vec3d> position;
+  std::optional<Vec3d> colour;
+  tokens.block(kPointSyntax, [&](const Token& keyword) {
+    if (keyword.text == "position")
+      position = tokens.vectorOf(keyword);
+    else if (keyword.text == "color")
+      colour = tokens.vectorOf(keyword);
+    else if (keyword.text == "constant_attenuation_coeff")
+      result.constant = tokens.numberOf(keyword);
+    else if (keyword.text == "linear_attenuation_coeff")
+      result.linear = tokens.numberOf(keyword);
+    else
+      result.quadratic = tokens.numberOf(keyword);
+  });
+  result.position = require(tokens, position, light, "position");
+  result.colour = require(tokens, colour, light, "color");
+  scene.pointLights.push_back(result);
+}
+
+}  // namespace planetree::scene::ray_format

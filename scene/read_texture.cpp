@@ -1,0 +1,77 @@
+#include "scene/texture.hpp"
+
+#include "scene/stb_image.hpp"
+#include "support/read_file.hpp"
+
+#include <planetree/error.hpp>
+
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace planetree::scene {
+namespace {
+
+constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 27;
+
+Error failed(ErrorCode code, const std::string& problem, const std::string& advice,
+             const std::string& name) {
+  return Error(code, problem, advice, Error::Place{.file = name});
+}
+
+bool beginsLikeImage(std::span<const std::byte> bytes) noexcept {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return text.starts_with("\x89PNG") || text.starts_with("\xFF\xD8\xFF") || text.starts_with("BM");
+}
+
+}  // namespace
+
+Texture readTexture(const std::filesystem::path& path) {
+  // A device may have no end, and opening a pipe may wait for ever.
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_other(status)) {
+    throw failed(ErrorCode::FileNotReadable, "it is a device or a pipe, not a file",
+                 "Name an image file", path.string());
+  }
+  const planetree::detail::FileContent content = planetree::detail::readFile(path);
+  return readTexture(content.bytes(), path.string());
+}
+
+Texture readTexture(std::span<const std::byte> bytes, const std::string& name) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    throw failed(ErrorCode::CapacityExceeded, "the image file has more than 2147483647 bytes",
+                 "Make it smaller", name);
+  }
+  const std::optional<detail::ImageSize> size = detail::readImageSize(bytes);
+  if (!size && !beginsLikeImage(bytes)) {
+    throw failed(ErrorCode::UnknownFormat, "it is no PNG, JPEG, BMP or TGA image",
+                 "Convert it to PNG", name);
+  }
+  if (!size) {
+    throw failed(ErrorCode::MalformedFile, "the head of the image is damaged or of a rare kind",
+                 "Save it again as PNG", name);
+  }
+  if (std::uint64_t{size->width} * size->height > kMostTexels) {
+    throw failed(ErrorCode::CapacityExceeded,
+                 "the image is too large, " + std::to_string(size->width) + " x " +
+                     std::to_string(size->height) + " texels",
+                 "Make it smaller: up to 134217728 texels are read", name);
+  }
+  const detail::DecodedImage image = detail::decodeImage(bytes, *size);
+  if (!image.texels) {
+    throw failed(ErrorCode::MalformedFile, "the image cannot be decoded (" + image.reason + ")",
+                 "Save it again as PNG", name);
+  }
+  std::vector<Vec3f> texels(std::size_t{size->width} * size->height);
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const std::uint8_t* const rgb = image.texels.get() + 3 * i;
+    texels[i] =
+        Vec3f{static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])} /
+        255.0f;
+  }
+  return {size->width, size->height, std::move(texels)};
+}
+
+}  // namespace planetree::scene
