@@ -1,13 +1,12 @@
 #include "import/import_mesh.hpp"
 
+#include "import/own_formats.hpp"
 #include "import/read_with_assimp.hpp"
 
 #include "support/read_file.hpp"
 
 #include <planetree/error.hpp>
 
-#include <algorithm>
-#include <array>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -31,15 +30,6 @@ const char* nameOf(MeshFormat format) noexcept {
       break;
   }
   return "other";
-}
-
-/// Whether the name is one of PLY, STL, OBJ or OFF, or says nothing.
-bool isNamedForOwnReaders(const fs::path& path) {
-  constexpr std::array<std::string_view, 5> kExtensions = {"", ".ply", ".stl", ".obj", ".off"};
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
 template <std::floating_point T>

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "import/answer_text.hpp"
 #include "import/import_mesh.hpp"
 #include "import/message_reader.hpp"
+#include "import/polygon_words.hpp"
 
 #include "mesh/mesh_builder.hpp"
 #include "mesh/mesh_input.hpp"
@@ -9,6 +11,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,28 +35,23 @@ class MeshReceiver {
 
  private:
   void receive(Message& message);
-  void receiveRemark(const Message& message);
   void beginMesh();
   void receiveVertices(Message& message);
   void receivePolygons(Message& message);
-  void endPolygon();
-  [[nodiscard]] Error failure(Message& message) const;
+  void addPolygon(std::span<const std::uint32_t> corners);
 
   detail::MeshInput input_;
   detail::MeshBuilder<T> builder_;
   detail::VertexWelder<T> welder_;
   ImportReport report_;
+  RemarkList remarks_;
   /// For each vertex of the present mesh the index of the one that it has become.
   std::vector<std::uint32_t> vertices_;
-  std::vector<std::uint32_t> corners_;        ///< of the present polygon
-  std::uint64_t missingCornerCount_ = 0;      ///< how many are still to come
+  PolygonWords polygon_;
   std::vector<std::int64_t> builderCorners_;  ///< kept to allocate but once
 };
 
 extern template class MeshReceiver<float>;
 extern template class MeshReceiver<double>;
-
-/// A text from outside, fit to be shown in a line: without control characters, and not too long.
-[[nodiscard]] std::string presentable(const std::string& text);
 
 }  // namespace planetree::importing

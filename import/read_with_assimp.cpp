@@ -3,6 +3,7 @@
 #include "import/mesh_receiver.hpp"
 #include "import/message_reader.hpp"
 #include "import/reader_process.hpp"
+#include "import/scene_receiver.hpp"
 
 #include <planetree/error.hpp>
 
@@ -15,6 +16,8 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace planetree::importing {
 namespace {
@@ -81,6 +84,36 @@ class Faults {
   const ReaderLimits& limits_;
 };
 
+/// Has the program read the file, and the receiver take what it says.
+template <class Receiver>
+void receiveAnswer(const fs::path& path, const ReaderLimits& limits,
+                   const std::vector<std::string>& request, Receiver& receiver) {
+  const Faults faults(path.string(), limits);
+  std::optional<ReaderProcess> process;
+  try {
+    std::vector<std::string> arguments = {path.string(), std::to_string(limits.memory),
+                                          std::to_string(::getpid())};
+    arguments.insert(arguments.end(), request.begin(), request.end());
+    process.emplace(limits.program, std::move(arguments));
+  } catch (const std::system_error& error) {
+    throw faults.notStarted(error);
+  }
+
+  MessageReader messages(process->output(), MessageReader::Clock::now() + limits.time);
+  try {
+    receiver.receiveAll(messages);
+  } catch (const DeadlinePassed&) {
+    throw faults.tookTooLong();
+  } catch (const BrokenMessages& fault) {
+    throw faults.unclear(fault);
+  } catch (const MessagesEnd& end) {
+    constexpr std::chrono::seconds kPatience(1);
+    if (const std::optional<int> signal = process->finish(kPatience))
+      throw faults.stoppedBy(*signal);
+    throw faults.unclear(end);
+  }
+}
+
 }  // namespace
 
 ReaderLimits usualLimits(std::uint64_t fileSize) {
@@ -101,33 +134,21 @@ ReaderLimits usualLimits(std::uint64_t fileSize) {
 template <std::floating_point T>
 TriangleMesh<T> readWithAssimp(const fs::path& path, const ReaderLimits& limits,
                                ImportReport* report) {
-  const Faults faults(path.string(), limits);
-  std::optional<ReaderProcess> process;
-  try {
-    process.emplace(limits.program,
-                    std::vector<std::string>{path.string(), std::to_string(limits.memory),
-                                             std::to_string(::getpid())});
-  } catch (const std::system_error& error) {
-    throw faults.notStarted(error);
-  }
-
-  MessageReader messages(process->output(), MessageReader::Clock::now() + limits.time);
   MeshReceiver<T> receiver(path.string());
-  try {
-    receiver.receiveAll(messages);
-  } catch (const DeadlinePassed&) {
-    throw faults.tookTooLong();
-  } catch (const BrokenMessages& fault) {
-    throw faults.unclear(fault);
-  } catch (const MessagesEnd& end) {
-    constexpr std::chrono::seconds kPatience(1);
-    if (const std::optional<int> signal = process->finish(kPatience))
-      throw faults.stoppedBy(*signal);
-    throw faults.unclear(end);
-  }
+  receiveAnswer(path, limits, {}, receiver);
   if (report)
     *report = receiver.takeReport();
   return receiver.takeMesh();
+}
+
+scene::SceneDescription readSceneWithAssimp(const fs::path& path, const ReaderLimits& limits,
+                                            ImportReport* report) {
+  SceneReceiver receiver(path.string());
+  receiveAnswer(path, limits, {std::string(kSceneRequest)}, receiver);
+  scene::SceneDescription scene = receiver.takeScene();
+  if (report)
+    *report = receiver.takeReport();
+  return scene;
 }
 
 template TriangleMesh<float> readWithAssimp<float>(const fs::path&, const ReaderLimits&,

@@ -2,6 +2,8 @@
 
 #include "import/import_mesh.hpp"
 
+#include "scene/scene_description.hpp"
+
 #include <planetree/mesh/triangle_mesh.hpp>
 
 #include <chrono>
@@ -27,6 +29,11 @@ template <std::floating_point T>
 [[nodiscard]] TriangleMesh<T> readWithAssimp(const std::filesystem::path& path,
                                              const ReaderLimits& limits,
                                              ImportReport* report = nullptr);
+
+/// The same for a scene, without default lighting and without a name.
+[[nodiscard]] scene::SceneDescription readSceneWithAssimp(const std::filesystem::path& path,
+                                                          const ReaderLimits& limits,
+                                                          ImportReport* report = nullptr);
 
 extern template TriangleMesh<float> readWithAssimp<float>(const std::filesystem::path&,
                                                           const ReaderLimits&, ImportReport*);

@@ -1,6 +1,7 @@
 // planetree-assimp: reads one model with assimp and tells what it found as message.hpp says. It is
 // started by planetree, not by people.
 
+#include "import/assimp/mesh_sender.hpp"
 #include "import/assimp/message_writer.hpp"
 #include "import/assimp/process_limits.hpp"
 #include "import/assimp/scene_sender.hpp"
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <new>
@@ -45,10 +47,19 @@ class Remarks : public Assimp::LogStream {
   MessageWriter& writer_;
 };
 
-/// planetree reads these by itself, and never through assimp: one file must not be two meshes.
-void leaveOwnFormats(Assimp::Importer& importer) {
-  for (const char* const extension : {"ply", "stl", "obj", "off"})
+/// What is asked for.
+struct Request {
+  const char* path = nullptr;
+  bool isScene = false;  ///< or the geometry alone
+};
+
+/// planetree reads these by itself, and never through assimp: one file must not be two meshes. But
+/// only assimp reads the materials of OBJ files.
+void leaveOwnFormats(Assimp::Importer& importer, const Request& request) {
+  for (const char* const extension : {"ply", "stl", "off"})
     importer.UnregisterLoader(importer.GetImporter(extension));
+  if (!request.isScene)
+    importer.UnregisterLoader(importer.GetImporter("obj"));
 }
 
 /// "glTF2 Importer" as "glTF2".
@@ -90,13 +101,13 @@ bool isUnknownFormat(std::string_view reason) noexcept {
   return reason.find("No suitable reader found") != std::string_view::npos;
 }
 
-void read(const char* path, MessageWriter& writer) {
+void read(const Request& request, MessageWriter& writer) {
   Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
   Assimp::DefaultLogger::get()->attachStream(new Remarks(writer),
                                              Assimp::Logger::Err | Assimp::Logger::Warn);
   Assimp::Importer importer;
-  leaveOwnFormats(importer);
-  const aiScene* const scene = readFile(importer, path);
+  leaveOwnFormats(importer, request);
+  const aiScene* const scene = readFile(importer, request.path);
   if (!scene) {
     // assimp catches what its readers throw, and keeps it.
     if (importer.GetException())
@@ -106,14 +117,18 @@ void read(const char* path, MessageWriter& writer) {
         isUnknownFormat(reason) ? FailureKind::UnknownFormat : FailureKind::Malformed;
     return writer.sayFailure(kind, reason);
   }
-  writer.say(MessageKind::Format, formatName(importer));
-  sendScene(*scene, writer);
+  const std::string format = formatName(importer);
+  writer.say(MessageKind::Format, format);
+  if (request.isScene)
+    sendScene(*scene, format, std::filesystem::path(request.path).parent_path(), writer);
+  else
+    sendGeometry(*scene, writer);
   writer.say(MessageKind::End);
 }
 
-void readOrSayWhyNot(const char* path, MessageWriter& writer) {
+void readOrSayWhyNot(const Request& request, MessageWriter& writer) {
   try {
-    read(path, writer);
+    read(request, writer);
   } catch (const TooManyVertices&) {
     writer.sayFailure(FailureKind::TooLarge, {});
   } catch (const std::bad_alloc&) {
@@ -128,7 +143,8 @@ void readOrSayWhyNot(const char* path, MessageWriter& writer) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
+  const bool isScene = argc == 5 && std::string_view(argv[4]) == kSceneRequest;
+  if (argc != 4 && !isScene) {
     std::fputs("planetree-assimp is a part of planetree, which starts it. See planetree --help.\n",
                stderr);
     return 2;
@@ -136,7 +152,7 @@ int main(int argc, char** argv) {
   const int pipe = takeStandardOutput();
   limitProcess(std::strtoull(argv[2], nullptr, 10), std::strtol(argv[3], nullptr, 10));
   MessageWriter writer(pipe);
-  readOrSayWhyNot(argv[1], writer);
+  readOrSayWhyNot({argv[1], isScene}, writer);
   // All has been told. Taking a scene of a bad file apart is one more chance to crash.
   std::_Exit(EXIT_SUCCESS);
 }

@@ -19,50 +19,36 @@ std::span<const std::byte> bytesOf(std::string_view text) noexcept {
 
 }  // namespace
 
+Payload& Payload::addText(std::string_view text) {
+  constexpr std::size_t kLongest = 1000;
+  addBytes(bytesOf(text.substr(0, kLongest)));
+  return *this;
+}
+
+void Payload::addBytes(std::span<const std::byte> bytes) {
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+}
+
 MessageWriter::MessageWriter(int pipe) : pipe_(pipe) {
   writeAll(bytesOf(kGreeting));
 }
 
 void MessageWriter::say(MessageKind kind, std::string_view text) {
-  constexpr std::size_t kLongest = 1000;
-  write(kind, bytesOf(text.substr(0, kLongest)));
+  say(kind, Payload().addText(text));
 }
 
 void MessageWriter::sayFailure(FailureKind kind, std::string_view text) {
-  constexpr std::size_t kLongest = 1000;
-  std::vector<std::byte> payload;
-  const std::span<const std::byte> first = bytesOf(kind);
-  const std::span<const std::byte> second = bytesOf(text.substr(0, kLongest));
-  payload.insert(payload.end(), first.begin(), first.end());
-  payload.insert(payload.end(), second.begin(), second.end());
-  write(MessageKind::Failure, payload);
+  say(MessageKind::Failure, Payload().add(kind).addText(text));
 }
 
 void MessageWriter::sayUnread(std::uint64_t count) {
-  write(MessageKind::Unread, bytesOf(count));
+  say(MessageKind::Unread, Payload().add(count));
 }
 
-void MessageWriter::addVertex(double x, double y, double z) {
-  append(MessageKind::Vertices, x);
-  append(MessageKind::Vertices, y);
-  append(MessageKind::Vertices, z);
-  // Only whole vertices may stand in a message.
-  if (pending_.size() + 3 * sizeof(double) > kMaxMessageSize)
-    flush();
-}
-
-void MessageWriter::addPolygonWord(std::uint32_t word) {
-  append(MessageKind::Polygons, word);
-  if (pending_.size() + sizeof(word) > kMaxMessageSize)
-    flush();
-}
-
-template <class Number>
-void MessageWriter::append(MessageKind kind, Number number) {
-  if (pendingKind_ != kind)
+void MessageWriter::append(MessageKind kind, std::span<const std::byte> bytes) {
+  if (pendingKind_ != kind || pending_.size() + bytes.size() > kMaxMessageSize)
     flush();
   pendingKind_ = kind;
-  const std::span<const std::byte> bytes = bytesOf(number);
   pending_.insert(pending_.end(), bytes.begin(), bytes.end());
 }
 

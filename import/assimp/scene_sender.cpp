@@ -1,125 +1,144 @@
 #include "import/assimp/scene_sender.hpp"
 
+#include "import/assimp/items.hpp"
+#include "import/assimp/light_sender.hpp"
+#include "import/assimp/material_sender.hpp"
+#include "import/assimp/mesh_sender.hpp"
+#include "import/assimp/node_placement.hpp"
+#include "import/assimp/texture_coordinates.hpp"
+#include "import/assimp/texture_sender.hpp"
+
 #include <assimp/scene.h>
 
 #include <array>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace planetree::importing {
 namespace {
 
-/// A transform in double: products of many nodes then round far below the float of a coordinate.
-class Placement {
- public:
-  Placement() = default;
+std::array<double, 3> inDouble(const aiVector3D& v) noexcept {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
 
-  explicit Placement(const aiMatrix4x4& m) noexcept
-      : rows_{{{m.a1, m.a2, m.a3, m.a4}, {m.b1, m.b2, m.b3, m.b4}, {m.c1, m.c2, m.c3, m.c4}}} {}
-
-  /// The placement of a child: its own transform first, then this one.
-  [[nodiscard]] Placement of(const Placement& child) const noexcept {
-    Placement product;
-    for (std::size_t row = 0; row < 3; ++row) {
-      for (std::size_t column = 0; column < 4; ++column) {
-        double sum = column == 3 ? rows_[row][3] : 0.0;
-        for (std::size_t i = 0; i < 3; ++i)
-          sum += rows_[row][i] * child.rows_[i][column];
-        product.rows_[row][column] = sum;
-      }
+/// Calls `use(index, mesh, placed node)` for each mesh of each node.
+template <class Use>
+void forEachPlacedMesh(const aiScene& scene, std::span<const PlacedNode> nodes,
+                       MessageWriter& writer, const Use& use) {
+  const std::span<aiMesh* const> meshes = items(scene.mMeshes, scene.mNumMeshes);
+  for (const PlacedNode& placed : nodes) {
+    for (const unsigned index : items(placed.node->mMeshes, placed.node->mNumMeshes)) {
+      if (index < meshes.size() && meshes[index])
+        use(index, *meshes[index], placed);
+      else
+        writer.say(MessageKind::Remark, "a node refers to a mesh that does not exist");
     }
-    return product;
   }
-
-  [[nodiscard]] std::array<double, 3> apply(const aiVector3D& point) const noexcept {
-    std::array<double, 3> result;
-    for (std::size_t row = 0; row < 3; ++row) {
-      result[row] = rows_[row][0] * static_cast<double>(point.x) +
-                    rows_[row][1] * static_cast<double>(point.y) +
-                    rows_[row][2] * static_cast<double>(point.z) + rows_[row][3];
-    }
-    return result;
-  }
-
- private:
-  std::array<std::array<double, 4>, 3> rows_ = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-};
-
-template <class Item>
-std::span<Item> items(Item* first, unsigned count) noexcept {
-  return first ? std::span<Item>(first, count) : std::span<Item>();
 }
 
 class SceneSender {
  public:
-  explicit SceneSender(MessageWriter& writer) noexcept : writer_(writer) {}
+  SceneSender(const aiScene& scene, std::string_view format, MessageWriter& writer)
+      : scene_(scene),
+        writer_(writer),
+        isGltf_(format == "glTF2"),
+        meshSender_(writer),
+        nodes_(placedNodes(scene)) {}
 
-  void sendMesh(const aiMesh& mesh, const Placement& placement) {
-    writer_.say(MessageKind::Mesh);
-    const std::span<const aiVector3D> vertices = items(mesh.mVertices, mesh.mNumVertices);
-    vertexCount_ += vertices.size();
-    if (vertexCount_ > std::numeric_limits<std::uint32_t>::max())
-      throw TooManyVertices();
-    for (const aiVector3D& vertex : vertices) {
-      const auto [x, y, z] = placement.apply(vertex);
-      writer_.addVertex(x, y, z);
-    }
-    for (const aiFace& face : items(mesh.mFaces, mesh.mNumFaces))
-      sendFace(items(face.mIndices, face.mNumIndices));
+  void sendMaterials(const std::filesystem::path& folder) {
+    TextureSender textures(scene_, folder, writer_);
+    MaterialSender sender(isGltf_, textures, writer_);
+    for (const aiMaterial* const material : materials())
+      sender.send(material);
   }
 
-  void sendUnread() { writer_.sayUnread(unreadCount_); }
+  void sendMeshes() {
+    std::vector<std::optional<std::uint32_t>> sent(scene_.mNumMeshes);
+    std::uint32_t count = 0;
+    forEachPlacedMesh(scene_, nodes_, writer_,
+                      [&](unsigned index, const aiMesh& mesh, const PlacedNode&) {
+                        if (sent[index])
+                          return;
+                        sent[index] = count++;
+                        sendMesh(mesh);
+                      });
+    forEachPlacedMesh(
+        scene_, nodes_, writer_, [&](unsigned index, const aiMesh& mesh, const PlacedNode& placed) {
+          const aiString& name = placed.node->mName.length > 0 ? placed.node->mName : mesh.mName;
+          writer_.say(MessageKind::Placement, Payload()
+                                                  .add(sent[index].value_or(0))
+                                                  .add(placed.placement.columns())
+                                                  .addText(name.C_Str()));
+        });
+    meshSender_.sendUnread();
+  }
+
+  void sendLightsAndCameras() {
+    const LightSender sender(isGltf_, nodes_, writer_);
+    for (const aiLight* const light : items(scene_.mLights, scene_.mNumLights)) {
+      if (light)
+        sender.send(*light);
+    }
+    for (const aiCamera* const camera : items(scene_.mCameras, scene_.mNumCameras)) {
+      if (camera)
+        sender.send(*camera);
+    }
+  }
 
  private:
-  void sendFace(std::span<const unsigned> corners) {
-    // assimp's points and lines.
-    if (corners.size() == 1 || corners.size() == 2) {
-      ++unreadCount_;
-      return;
-    }
-    writer_.addPolygonWord(static_cast<std::uint32_t>(corners.size()));
-    for (const unsigned corner : corners)
-      writer_.addPolygonWord(corner);
+  [[nodiscard]] std::span<aiMaterial* const> materials() const noexcept {
+    return items(scene_.mMaterials, scene_.mNumMaterials);
   }
 
+  void sendMesh(const aiMesh& mesh) {
+    meshSender_.send(mesh, inDouble);
+    for (const aiVector3D& normal : items(mesh.mNormals, mesh.mNumVertices))
+      writer_.add(MessageKind::Normals, inDouble(normal));
+    const aiMaterial* material = nullptr;
+    if (mesh.mMaterialIndex < materials().size()) {
+      material = materials()[mesh.mMaterialIndex];
+      writer_.say(MessageKind::MeshMaterial, Payload().add(mesh.mMaterialIndex));
+    }
+    sendCoordinates(mesh, material);
+    if (mesh.mColors[0])
+      writer_.say(MessageKind::Remark, "the colours of vertices are not read");
+  }
+
+  void sendCoordinates(const aiMesh& mesh, const aiMaterial* material) {
+    const TextureCoordinates map = textureCoordinates(material, isGltf_);
+    if (map.channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS)
+      return;
+    for (const aiVector3D& uv : items(mesh.mTextureCoords[map.channel], mesh.mNumVertices))
+      writer_.add(MessageKind::Coordinates, map.at(uv));
+  }
+
+  const aiScene& scene_;
   MessageWriter& writer_;
-  std::uint64_t vertexCount_ = 0;
-  std::uint64_t unreadCount_ = 0;
+  bool isGltf_;
+  MeshSender meshSender_;
+  std::vector<PlacedNode> nodes_;
 };
 
 }  // namespace
 
-void sendScene(const aiScene& scene, MessageWriter& writer) {
-  struct Visit {
-    const aiNode* node;
-    Placement parent;
-  };
-  SceneSender sender(writer);
-  std::vector<Visit> visits;
-  if (scene.mRootNode)
-    visits.push_back({scene.mRootNode, Placement()});
-  while (!visits.empty()) {
-    const Visit visit = visits.back();
-    visits.pop_back();
-    const Placement placement = visit.parent.of(Placement(visit.node->mTransformation));
-    for (const unsigned index : items(visit.node->mMeshes, visit.node->mNumMeshes)) {
-      const std::span<aiMesh* const> meshes = items(scene.mMeshes, scene.mNumMeshes);
-      if (index < meshes.size() && meshes[index])
-        sender.sendMesh(*meshes[index], placement);
-      else
-        writer.say(MessageKind::Remark, "a node refers to a mesh that does not exist");
-    }
-    // The last one first: the visits then come in the order of the file.
-    const std::span<aiNode* const> children =
-        items(visit.node->mChildren, visit.node->mNumChildren);
-    for (auto child = children.rbegin(); child != children.rend(); ++child) {
-      if (*child)
-        visits.push_back({*child, placement});
-    }
-  }
+void sendGeometry(const aiScene& scene, MessageWriter& writer) {
+  MeshSender sender(writer);
+  forEachPlacedMesh(scene, placedNodes(scene), writer,
+                    [&](unsigned, const aiMesh& mesh, const PlacedNode& placed) {
+                      sender.send(mesh,
+                                  [&](const aiVector3D& p) { return placed.placement.point(p); });
+                    });
   sender.sendUnread();
+}
+
+void sendScene(const aiScene& scene, std::string_view format, const std::filesystem::path& folder,
+               MessageWriter& writer) {
+  SceneSender sender(scene, format, writer);
+  sender.sendMaterials(folder);
+  sender.sendMeshes();
+  sender.sendLightsAndCameras();
 }
 
 }  // namespace planetree::importing

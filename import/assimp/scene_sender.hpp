@@ -2,15 +2,20 @@
 
 #include "import/assimp/message_writer.hpp"
 
+#include <filesystem>
+#include <string_view>
+
 struct aiScene;
 
 namespace planetree::importing {
 
-/// Thrown where a scene has more vertices than 32 bits can count.
-struct TooManyVertices {};
+/// Sends each mesh of the scene as often as its nodes place it, in world coordinates.
+void sendGeometry(const aiScene& scene, MessageWriter& writer);
 
-/// Sends each mesh of the scene as often as its nodes place it, in world coordinates. What assimp
-/// hands over is checked as far as it says how large it is: it may be wrong after a bad file.
-void sendScene(const aiScene& scene, MessageWriter& writer);
+/// Sends the scene with its textures, materials, lights and cameras: each mesh once, in its own
+/// coordinates, and then its placements. Textures are looked for in `folder`. `format` is what
+/// assimp calls the format of the file.
+void sendScene(const aiScene& scene, std::string_view format, const std::filesystem::path& folder,
+               MessageWriter& writer);
 
 }  // namespace planetree::importing

@@ -1,6 +1,6 @@
 #include "import/read_with_assimp.hpp"
 
-#include "import/message.hpp"
+#include "answers.hpp"
 #include "model_folder.hpp"
 #include "sample_models.hpp"
 
@@ -24,38 +24,6 @@ namespace {
 
 using namespace importing;
 using std::chrono::milliseconds;
-
-template <class Number>
-std::string bytesOf(Number number) {
-  const auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-  return {bytes.begin(), bytes.end()};
-}
-
-std::string message(MessageKind kind, const std::string& payload = "") {
-  return bytesOf(kind) + bytesOf(static_cast<std::uint32_t>(payload.size())) + payload;
-}
-
-std::string vertices(std::initializer_list<double> coordinates) {
-  std::string payload;
-  for (const double coordinate : coordinates)
-    payload += bytesOf(coordinate);
-  return message(MessageKind::Vertices, payload);
-}
-
-std::string polygons(std::initializer_list<std::uint32_t> words) {
-  std::string payload;
-  for (const std::uint32_t word : words)
-    payload += bytesOf(word);
-  return message(MessageKind::Polygons, payload);
-}
-
-std::string failure(FailureKind kind, const std::string& text) {
-  return message(MessageKind::Failure, bytesOf(kind) + text);
-}
-
-const std::string kStart = std::string(kGreeting) + message(MessageKind::Mesh);
-const std::string kTriangle = vertices({0, 0, 0, 1, 0, 0, 0, 1, 0});
-const std::string kEnd = message(MessageKind::End);
 
 class ReadWithAssimp : public ModelFolder {
  protected:
