@@ -23,6 +23,11 @@ const char* fileToRemove = nullptr;
 pid_t ownProcess = 0;
 bool isTerminal = false;
 
+std::atomic<bool> isDelayed = false;
+std::atomic<int> keptSignal = 0;
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+              "handlers may use them");
+
 sigset_t signalSet() noexcept {
   sigset_t set;
   ::sigemptyset(&set);
@@ -42,20 +47,33 @@ void print(const char* text) noexcept {
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text, std::strlen(text));
 }
 
+void startLine() noexcept {
+  // The start of the line may hold a progress line, or the ^C that the terminal shows.
+  if (isTerminal)
+    print("\r\x1b[K");
+}
+
+void endBy(int signal) noexcept {
+  struct sigaction usual = {};
+  usual.sa_handler = SIG_DFL;
+  ::sigaction(signal, &usual, nullptr);
+  // In a handler it takes effect when that returns: until then the signal is blocked.
+  ::raise(signal);
+}
+
 void end(int signal) {
+  int none = 0;
+  if (isDelayed && keptSignal.compare_exchange_strong(none, signal))
+    return;
   // A forked process has its parent's handlers, but neither its files nor its say.
   if (::getpid() == ownProcess) {
     acquire();
     const bool isFileGone = fileToRemove != nullptr && ::unlink(fileToRemove) == 0;
-    // The start of the line may hold a progress line, or the ^C that the terminal shows.
-    print(isTerminal ? "\r\x1b[Kplanetree: interrupted" : "planetree: interrupted");
+    startLine();
+    print("planetree: interrupted");
     print(isFileGone ? ", and no file was written\n" : "\n");
   }
-  struct sigaction usual = {};
-  usual.sa_handler = SIG_DFL;
-  ::sigaction(signal, &usual, nullptr);
-  // Takes effect when the handler returns: until then the signal is blocked.
-  ::raise(signal);
+  endBy(signal);
 }
 
 }  // namespace
@@ -83,6 +101,32 @@ InterruptionPause::InterruptionPause() noexcept {
 InterruptionPause::~InterruptionPause() {
   isBusy.clear(std::memory_order_release);
   ::pthread_sigmask(SIG_SETMASK, &previousMask_, nullptr);
+}
+
+InterruptionDelay::InterruptionDelay() noexcept {
+  isDelayed = true;
+}
+
+InterruptionDelay::~InterruptionDelay() {
+  isDelayed = false;
+}
+
+int keptInterruption() noexcept {
+  return keptSignal;
+}
+
+void endByKeptInterruption(const std::string& line) noexcept {
+  const int signal = keptSignal;
+  if (signal == 0)
+    return;
+  if (line.empty()) {
+    ::raise(signal);
+    return;
+  }
+  startLine();
+  print(line.c_str());
+  print("\n");
+  endBy(signal);
 }
 
 void removeOnInterruption(const char* path) noexcept {

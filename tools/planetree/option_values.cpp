@@ -169,23 +169,74 @@ std::uint32_t parseMask(const OptionText& option) {
   return *mask;
 }
 
-render::ImageSize parseSize(const OptionText& option) {
-  const std::size_t cross = option.text.find('x');
-  if (cross == std::string_view::npos) {
-    refuse(option, "not a size", "Give width x height, such as 800x600.");
-  }
-  const auto width = numberFrom<std::uint64_t>(option.text.substr(0, cross));
-  const auto height = numberFrom<std::uint64_t>(option.text.substr(cross + 1));
-  if (!width || !height)
-    refuse(option, "not a size", "Give width x height, such as 800x600.");
-  if (*width == 0 || *height == 0) {
+void checkPixelCount(const OptionText& option, std::uint64_t width, std::uint64_t height) {
+  if (width == 0 || height == 0)
     refuse(option, "a picture without pixels", "Give at least 1x1.");
-  }
-  if (*width > kMaxPixelCount / *height) {
+  if (width > kMaxPixelCount / height) {
     refuse(option, "too large a picture",
            fmt::format("Give at most {} pixels, such as 8192x8192.", kMaxPixelCount));
   }
-  return {static_cast<std::uint32_t>(*width), static_cast<std::uint32_t>(*height)};
+}
+
+SizeOption parseSize(const OptionText& option) {
+  const std::size_t cross = option.text.find('x');
+  const bool isWidthAlone = cross == std::string_view::npos;
+  const auto width = numberFrom<std::uint64_t>(option.text.substr(0, cross));
+  const auto height =
+      isWidthAlone ? std::uint64_t{1} : numberFrom<std::uint64_t>(option.text.substr(cross + 1));
+  if (!width || !height)
+    refuse(option, "not a size", "Give width x height, such as 800x600, or the width alone.");
+  checkPixelCount(option, *width, *height);
+  SizeOption size{.width = static_cast<std::uint32_t>(*width)};
+  if (!isWidthAlone)
+    size.height = static_cast<std::uint32_t>(*height);
+  return size;
+}
+
+render::PixelWindow parseCrop(const OptionText& option) {
+  std::vector<std::uint32_t> numbers;
+  for (const std::string_view field : fieldsBetweenCommas(option.text)) {
+    const auto number = numberFrom<std::uint32_t>(withoutBlanks(field));
+    if (!number) {
+      refuse(option, fmt::format("\"{}\" is not a number of pixels", field),
+             "Give X,Y,W,H: the upper left corner of the part, its width and its height.");
+    }
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != 4) {
+    refuse(option, fmt::format("{} numbers instead of 4", numbers.size()),
+           "Give X,Y,W,H: the upper left corner of the part, its width and its height.");
+  }
+  checkPixelCount(option, numbers[2], numbers[3]);
+  return {.x = numbers[0], .y = numbers[1], .size = {numbers[2], numbers[3]}};
+}
+
+double parseSeconds(const OptionText& option) {
+  const auto seconds = numberFrom<double>(option.text);
+  if (!seconds || !(*seconds > 0.0) || std::isinf(*seconds))
+    refuse(option, "not a time", "Give a number of seconds, such as 5.");
+  return *seconds;
+}
+
+float parseThreshold(const OptionText& option) {
+  const auto threshold = numberFrom<float>(option.text);
+  if (!threshold || !(*threshold >= 0.0f && *threshold <= 1.0f))
+    refuse(option, "not a difference of colours", "Give a number from 0 to 1, such as 0.05.");
+  return *threshold;
+}
+
+std::array<std::filesystem::path, 6> parseCubeMap(const OptionText& option) {
+  const std::vector<std::string_view> fields = fieldsBetweenCommas(option.text);
+  std::array<std::filesystem::path, 6> paths;
+  const std::string advice = "Give six images: posx,negx,posy,negy,posz,negz.";
+  if (fields.size() != paths.size())
+    refuse(option, fmt::format("{} instead of 6", fields.size()), advice);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (fields[i].empty())
+      refuse(option, "a name is empty", advice);
+    paths[i] = fields[i];
+  }
+  return paths;
 }
 
 float parseFov(const OptionText& option) {

@@ -10,7 +10,9 @@
 #include <planetree/geometry/vec3.hpp>
 #include <planetree/split/build_options.hpp>
 
+#include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +34,12 @@ struct CameraOption {
   Vec3f eye;
   Vec3f at;
   std::optional<float> fovDegrees;
+};
+
+/// What `--size` says.
+struct SizeOption {
+  std::uint32_t width = 800;
+  std::optional<std::uint32_t> height = {};  ///< otherwise as the view is shaped
 };
 
 /// A shell that completes command lines.
@@ -62,8 +70,20 @@ inline constexpr std::uint64_t kMaxPixelCount = std::uint64_t{1} << 26;
 /// 32 bits, in decimal or as "0xFF".
 [[nodiscard]] std::uint32_t parseMask(const OptionText& option);
 
-/// "800x600": neither side is zero, and not too many pixels in all.
-[[nodiscard]] render::ImageSize parseSize(const OptionText& option);
+/// "800x600", or "800" for the width alone: neither side is zero, and not too many pixels in all.
+[[nodiscard]] SizeOption parseSize(const OptionText& option);
+/// Throws `UsageError` if a picture has too many pixels.
+void checkPixelCount(const OptionText& option, std::uint64_t width, std::uint64_t height);
+
+/// "X,Y,W,H": the upper left corner of a part of a picture, and its size, which is not zero.
+[[nodiscard]] render::PixelWindow parseCrop(const OptionText& option);
+
+/// A time that is more than nothing.
+[[nodiscard]] double parseSeconds(const OptionText& option);
+/// How much two colours may differ: from 0 to 1.
+[[nodiscard]] float parseThreshold(const OptionText& option);
+/// Six images, with commas between them.
+[[nodiscard]] std::array<std::filesystem::path, 6> parseCubeMap(const OptionText& option);
 
 /// Degrees of a field of view.
 [[nodiscard]] float parseFov(const OptionText& option);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -19,7 +20,8 @@ namespace planetree::tool {
 
 namespace {
 
-std::string pointText(const Vec3f& point) {
+template <std::floating_point T>
+std::string pointText(const Vec3<T>& point) {
   return fmt::format("{},{},{}", point.x, point.y, point.z);
 }
 
@@ -130,6 +132,50 @@ std::string rangeText(render::RenderMode mode, const render::ValueRange& range) 
                      range.highest);
 }
 
+std::string cameraMeaning(const PicturePlan& plan) {
+  if (const auto& view = plan.view) {
+    return fmt::format("eye {}, look {}, u {}, v {}", pointText(view->eye), pointText(view->look),
+                       pointText(view->u), pointText(view->v));
+  }
+  const render::Camera& camera = plan.camera;
+  return fmt::format("eye {}, at {}, up {}, fov {}", pointText(camera.eye), pointText(camera.at),
+                     pointText(camera.up), camera.fovDegrees);
+}
+
+/// What `--samples` or the options of a grid say.
+std::string samplesText(const FinishedPicture& picture) {
+  const RenderCommand& command = picture.command;
+  std::string text;
+  if (picture.plan.mode != render::RenderMode::Whitted) {
+    text = fmt::format(" --samples {}", command.samplesPerPixel.value_or(kUsualSamplesPerPixel));
+  } else {
+    const WhittedOptions& options = command.whitted;
+    text = fmt::format(" --supersampling {} --threshold {} --ray-depth {}",
+                       options.supersampling.value_or(kUsualSupersampling),
+                       options.threshold.value_or(kUsualThreshold),
+                       options.rayDepth.value_or(render::WhittedSettings{}.depthLimit));
+    if (!options.hasShadows)
+      text += " --no-shadows";
+    if (options.background) {
+      std::string names;
+      for (const std::filesystem::path& image : *options.background)
+        names += (names.empty() ? "" : ",") + image.string();
+      text += " --background " + shellWord(names);
+    }
+  }
+  return text + (command.isFlat ? " --flat" : "");
+}
+
+std::string samplesMeaning(const render::RenderSettings& settings) {
+  if (!settings.grid)
+    return fmt::format("{}", settings.samplesPerPixel);
+  const render::SampleGrid& grid = *settings.grid;
+  if (!grid.threshold || grid.side == 1)
+    return fmt::format("{} x {}", grid.side, grid.side);
+  return fmt::format("1, or {} x {} where neighbours differ by more than {}", grid.side, grid.side,
+                     *grid.threshold);
+}
+
 /// The time that the environment gives, if it gives one.
 std::optional<std::string> creationTime() {
   const char* const text = std::getenv("SOURCE_DATE_EPOCH");
@@ -171,11 +217,16 @@ std::string reproducingCommand(const FinishedPicture& picture) {
   std::string text = "planetree render";
   if (command.model)
     text += " " + modelWord(*command.model);
-  text += fmt::format(" --mode {} --size {}x{} --samples {} --seed {} --camera {}",
-                      modeName(command.mode), command.size.width, command.size.height,
-                      command.samplesPerPixel, command.seed, cameraText(picture.camera));
+  const PicturePlan& plan = picture.plan;
+  text += fmt::format(" --mode {} --size {}x{}{} --seed {}", modeName(plan.mode), plan.size.width,
+                      plan.size.height, samplesText(picture), command.seed);
+  if (!plan.view)
+    text += " --camera " + cameraText(plan.camera);
   if (command.up == render::UpAxis::Z)
     text += " --up z";
+  if (const auto& crop = command.crop)
+    text +=
+        fmt::format(" --crop {},{},{},{}", crop->x, crop->y, crop->size.width, crop->size.height);
   if (command.heatMax)
     text += fmt::format(" --heat-max {}", *command.heatMax);
   if (!command.hasLegend)
@@ -190,23 +241,26 @@ std::string reproducingCommand(const FinishedPicture& picture) {
 render::Metadata pictureMetadata(const FinishedPicture& picture) {
   const RenderCommand& command = picture.command;
   const Subject& subject = picture.subject;
-  const render::Camera& camera = picture.camera;
+  const PicturePlan& plan = picture.plan;
   render::Metadata metadata = {
       {"Software", "planetree " PLANETREE_VERSION},
       {"Command", reproducingCommand(picture)},
       {"Model", isPlainText(subject.name) ? subject.name : shellWord(subject.name)},
-      {command.model ? "Triangles" : "Objects", fmt::format("{}", subject.report.objectCount)},
+      {command.model && !subject.isScene() ? "Triangles" : "Objects",
+       fmt::format("{}", subject.report.objectCount)},
       {"Skipped", fmt::format("{}", subject.report.skippedCount)},
-      {"Mode", std::string(modeName(command.mode))},
-      {"Samples", fmt::format("{}", command.samplesPerPixel)},
+      {"Mode", std::string(modeName(plan.mode))},
+      {"Samples", samplesMeaning(renderSettings(command, subject, plan))},
       {"Seed", fmt::format("{}", command.seed)},
-      {"Camera", fmt::format("eye {}, at {}, up {}, fov {}", pointText(camera.eye),
-                             pointText(camera.at), pointText(camera.up), camera.fovDegrees)},
+      {"Camera", cameraMeaning(plan)},
       {"Tree Options", TreeArguments(true).of(subject.options)},
       {"Tree", treeText(subject.statistics)},
   };
   if (picture.rendering.range)
-    metadata.push_back({"Range", rangeText(command.mode, *picture.rendering.range)});
+    metadata.push_back({"Range", rangeText(plan.mode, *picture.rendering.range)});
+  if (!picture.rendering.isComplete)
+    metadata.push_back(
+        {"Done", fmt::format("{:.4g} % of the samples", 100.0 * picture.rendering.done)});
   if (const auto time = creationTime())
     metadata.push_back({"Creation Time", *time});
   return metadata;

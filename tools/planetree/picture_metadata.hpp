@@ -1,5 +1,6 @@
 #pragma once
 
+#include "picture_plan.hpp"
 #include "render_command.hpp"
 #include "subject.hpp"
 
@@ -15,7 +16,7 @@ namespace planetree::tool {
 struct FinishedPicture {
   const RenderCommand& command;
   const Subject& subject;
-  const render::Camera& camera;
+  const PicturePlan& plan;
   const render::Rendering& rendering;
 };
 

@@ -13,14 +13,22 @@ namespace {
 
 constexpr std::uint64_t kMaxSamplesPerPixel = 65536;
 
+constexpr std::uint64_t kMaxRayDepth = 64;
+constexpr std::uint64_t kMaxSupersampling = 64;
+
 constexpr const char* kFooter = R"(Pictures:
   PNG           what a screen shows. Heat has a legend below it: the file is
                 higher than --size says, and the picture itself is not
   EXR           numbers. R, G, B, A is the picture in linear light without
-                the backdrop; Z the depth, N.X, N.Y, N.Z the normal, steps,
-                steps.splitNodes, steps.leafNodes, steps.objects the work of
-                a ray, each in its mode; cells.R, G, B, A the cells
+                the backdrop; Z the depth, N.X, N.Y, N.Z the normal,
+                albedo.R, G, B the albedo, steps, steps.splitNodes,
+                steps.leafNodes, steps.objects the work of a ray, each in its
+                mode, and the first three in mode whitted, too; cells.R, G,
+                B, A the cells
   Both say how they were made, down to the command that makes them again.
+
+Ctrl-C while it renders writes the picture as far as it is; a second one ends
+at once.
 
 Examples:
   planetree render
@@ -37,6 +45,11 @@ Examples:
       a model with z up, larger and smoother
   planetree render room.ply --camera -15,-9,0.5,10,-7,-1,70
       from the eye (-15, -9, 0.5) toward (10, -7, -1), 70 degrees
+  planetree render balls.ray --size 1200 --preview 5
+      a scene with its materials and lights; the file is there early, and gets
+      better every five seconds
+  planetree render balls.ray --crop 300,200,64,64 --supersampling 16
+      a small part of the same picture, in pixels, smoother
   planetree render bunny.obj --quiet -o - | display
       the PNG on standard output
 
@@ -44,9 +57,10 @@ Exit status: 0 done, 1 failed, 2 wrong usage.
 )";
 
 void addPictureOptions(CLI::App& app, RenderCommand& command) {
-  addValue(app, "MODEL", command.model, parsePath,
-           "Model to render: PLY, STL, OBJ, OFF, glTF, COLLADA, FBX, 3DS or one of many others; "
-           "- is standard input. Without one, a still life made in code")
+  addValue(
+      app, "MODEL", command.model, parsePath,
+      "Scene to render (.ray), or model: PLY, STL, OBJ, OFF, glTF, COLLADA, FBX, 3DS or one of "
+      "many others; - is standard input. Without one, a still life made in code")
       ->type_name("");
   addValue(
       app, "-o,--output", command.output, parsePath,
@@ -56,24 +70,70 @@ void addPictureOptions(CLI::App& app, RenderCommand& command) {
   addValue(app, "--format", command.format, parsePictureFormat,
            "Format of the picture; otherwise as the name of the file says, or PNG")
       ->type_name("png|exr");
-  addValue(app, "--size", command.size, parseSize, "Width and height in pixels")
+  addValue(app, "--size", command.size, parseSize,
+           "Width and height in pixels. With the width alone the picture is shaped like the view "
+           "of the scene, or like 4:3")
       ->type_name("WxH")
-      ->default_str(fmt::format("{}x{}", command.size.width, command.size.height));
+      ->default_str(fmt::format("{}", command.size.width));
+  addValue(app, "--crop", command.crop, parseCrop,
+           "Render a part of the picture alone: its upper left corner, width and height in pixels")
+      ->type_name("X,Y,W,H");
   addValue(app, "--mode", command.mode, parseMode,
-           "What to show: ao (ambient occlusion), normals, depth (near "
-           "is bright), or heat (work of each ray)")
-      ->type_name("ao|normals|depth|heat")
-      ->default_str("ao");
+           "What to show: whitted (materials and lights, with mirrors, glass and shadows), ao "
+           "(ambient occlusion), normals, depth (near is bright), albedo (colours without light), "
+           "or heat (work of each ray). Otherwise whitted for scenes with lights, and ao")
+      ->type_name("whitted|ao|normals|depth|albedo|heat");
   addWholeNumber(app, "--samples", command.samplesPerPixel, 1, kMaxSamplesPerPixel,
-                 "Rays per pixel; in mode ao each that sees a surface sends "
-                 "four more. Powers of two are spread best")
-      ->default_str(fmt::format("{}", command.samplesPerPixel));
+                 "Rays per pixel, but not in mode whitted; in mode ao each that sees a surface "
+                 "sends four more. Powers of two are spread best")
+      ->default_str(fmt::format("{}", kUsualSamplesPerPixel));
   const auto parseSeed = [](const OptionText& option) {
     return parseWholeNumber(option, 0, std::numeric_limits<std::uint64_t>::max());
   };
   addValue(app, "--seed", command.seed, parseSeed, "Another pattern of samples")
       ->type_name("N")
       ->default_str(fmt::format("{}", command.seed));
+}
+
+void addWhittedOptions(CLI::App& app, RenderCommand& command) {
+  const std::string group = "Materials and lights";
+  WhittedOptions& options = command.whitted;
+  addWholeNumber(app, "--ray-depth", options.rayDepth, 0, kMaxRayDepth,
+                 "How often a ray is mirrored or refracted")
+      ->default_str(fmt::format("{}", render::WhittedSettings{}.depthLimit))
+      ->group(group);
+  addWholeNumber(
+      app, "--supersampling", options.supersampling, 1, kMaxSupersampling,
+      "Take N x N rays in each pixel that differs from a neighbour; 1 is one ray a pixel")
+      ->default_str(fmt::format("{}", kUsualSupersampling))
+      ->group(group);
+  addValue(app, "--threshold", options.threshold, parseThreshold,
+           "By how much it must differ in red, green or blue, from 0 to 1; 0 is N x N rays in "
+           "every pixel")
+      ->type_name("X")
+      ->default_str(fmt::format("{}", kUsualThreshold))
+      ->group(group);
+  app.add_flag_callback(
+         "--no-shadows", [&options] { options.hasShadows = false; }, "Light passes all surfaces")
+      ->group(group);
+  app.add_flag("--flat", command.isFlat,
+               "Leave out the normals that meshes have at their corners, also in mode normals")
+      ->group(group);
+  addValue(app, "--background", options.background, parseCubeMap,
+           "What is seen behind everything: six images of a cube map, posx, negx, posy, negy, posz "
+           "and negz")
+      ->type_name("FILE,FILE,FILE,FILE,FILE,FILE")
+      ->group(group);
+}
+
+void addWhileOptions(CLI::App& app, RenderCommand& command) {
+  addValue(app, "--preview", command.previewSeconds, parseSeconds,
+           "Save the picture as far as it is, again and again after this time")
+      ->type_name("SECONDS")
+      ->group("Run");
+  app.add_flag("--stats", command.showsTimes,
+               "Tell how much of the time went into reading, building, tracing, shading, writing")
+      ->group("Run");
 }
 
 void addTreeViewOptions(CLI::App& app, RenderCommand& command) {
@@ -96,8 +156,8 @@ void addViewOptions(CLI::App& app, RenderCommand& command) {
   const std::string view = "View";
   addValue(app, "--camera", command.camera, parseCamera,
            "The eye, the point in the middle of the picture, and the "
-           "field of view: six or seven numbers. Otherwise a view of "
-           "the whole model, from its right and above")
+           "field of view: six or seven numbers. Otherwise the camera of "
+           "the scene, or a view of the whole model, from its right and above")
       ->type_name("ex,ey,ez,ax,ay,az[,fov]")
       ->group(view);
   addValue(app, "--fov", command.fovDegrees, parseFov,
@@ -114,13 +174,16 @@ void addViewOptions(CLI::App& app, RenderCommand& command) {
 }  // namespace
 
 CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
-  CLI::App& render = *app.add_subcommand("render", "Render a model, or a still life made in code");
+  CLI::App& render =
+      *app.add_subcommand("render", "Render a scene, a model, or a still life made in code");
   render.footer(kFooter);
   addPictureOptions(render, command);
   addViewOptions(render, command);
+  addWhittedOptions(render, command);
   addTreeViewOptions(render, command);
   addTreeOptions(render, command.tree);
   addRunOptions(render, command.run);
+  addWhileOptions(render, command);
   addJsonOption(render, command.run);
   return &render;
 }

@@ -1,0 +1,33 @@
+#include "scene_file.hpp"
+
+#include "output_file.hpp"
+#include "ray_files/byte_source.hpp"
+
+#include "import/import_scene.hpp"
+#include "scene/read_scene.hpp"
+
+namespace planetree::tool {
+
+namespace {
+
+scene::SceneDescription readRay(const std::filesystem::path& path) {
+  scene::SceneDescription description = scene::readRayScene(path);
+  // The format has a camera for files that have none.
+  if (!description.view)
+    description.view = scene::View{};
+  return description;
+}
+
+}  // namespace
+
+bool isSceneFile(const std::filesystem::path& path) {
+  return lowerCaseExtension(path) == ".ray";
+}
+
+scene::SceneDescription readScene(const std::filesystem::path& path) {
+  if (isSceneFile(path))
+    return readRay(path);
+  return importing::importScene(path == kStandardInput ? "/dev/stdin" : path);
+}
+
+}  // namespace planetree::tool
