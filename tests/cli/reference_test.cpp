@@ -1,7 +1,7 @@
 #include "command_line.hpp"
 
-#include "nearest_name.hpp"
 #include "option_syntax.hpp"
+#include "support/nearest_name.hpp"
 #include "tool_run.hpp"
 
 #include <nlohmann/json.hpp>
@@ -202,19 +202,19 @@ TEST_F(Reference, EveryCommandIsInTheDocs) {
 
 TEST(NearestName, IsTheOneThatWasMeant) {
   const std::vector<std::string> names = {"render", "trace", "info", "explain"};
-  EXPECT_EQ(tool::nearestName("tarce", names), "trace");
-  EXPECT_EQ(tool::nearestName("rend", names), "render");
-  EXPECT_EQ(tool::nearestName("explian", names), "explain");
-  EXPECT_EQ(tool::nearestName("build", names), std::nullopt);
-  EXPECT_EQ(tool::nearestName("x", names), std::nullopt);
+  EXPECT_EQ(detail::nearestName("tarce", names), "trace");
+  EXPECT_EQ(detail::nearestName("rend", names), "render");
+  EXPECT_EQ(detail::nearestName("explian", names), "explain");
+  EXPECT_EQ(detail::nearestName("build", names), std::nullopt);
+  EXPECT_EQ(detail::nearestName("x", names), std::nullopt);
 }
 
 TEST(NearestName, CountsLetters) {
-  EXPECT_EQ(tool::editDistance("", ""), 0u);
-  EXPECT_EQ(tool::editDistance("", "abc"), 3u);
-  EXPECT_EQ(tool::editDistance("abc", ""), 3u);
-  EXPECT_EQ(tool::editDistance("trace", "tarce"), 1u);
-  EXPECT_EQ(tool::editDistance("kitten", "sitting"), 3u);
+  EXPECT_EQ(detail::editDistance("", ""), 0u);
+  EXPECT_EQ(detail::editDistance("", "abc"), 3u);
+  EXPECT_EQ(detail::editDistance("abc", ""), 3u);
+  EXPECT_EQ(detail::editDistance("trace", "tarce"), 1u);
+  EXPECT_EQ(detail::editDistance("kitten", "sitting"), 3u);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "parse_fault.hpp"
 
-#include "nearest_name.hpp"
 #include "option_syntax.hpp"
+#include "support/nearest_name.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ UsageError noSuchOption(const Context& context, const std::string& word) {
             fmt::format("Write it behind: {} ... {}.", context.name, name)};
   }
   return {fmt::format("{}: {} has no such option", name, context.name),
-          adviceFor(context, nearestName(name, known))};
+          adviceFor(context, detail::nearestName(name, known))};
 }
 
 UsageError unexpected(const CLI::App& app, const Context& context) {
@@ -108,7 +108,7 @@ UsageError noSuchCommand(const CLI::App& app, std::string_view name) {
   for (const CommandSyntax& command : commandSyntax(app).commands)
     known.push_back(command.name);
   return {fmt::format("{}: there is no such command", name),
-          adviceFor({app.get_name(), {}}, nearestName(name, known))};
+          adviceFor({app.get_name(), {}}, detail::nearestName(name, known))};
 }
 
 }  // namespace planetree::tool

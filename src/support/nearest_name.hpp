@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace planetree::tool {
+namespace planetree::detail {
 
 /// The name that was probably meant: the nearest of `names`, if it is near at all. The first of
 /// equally near ones.
@@ -16,4 +16,4 @@ namespace planetree::tool {
 /// word into the other; each place is changed once ("optimal string alignment").
 [[nodiscard]] std::size_t editDistance(std::string_view a, std::string_view b);
 
-}  // namespace planetree::tool
+}  // namespace planetree::detail

@@ -1,9 +1,9 @@
-#include "nearest_name.hpp"
+#include "support/nearest_name.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace planetree::tool {
+namespace planetree::detail {
 
 std::optional<std::string> nearestName(std::string_view typed,
                                        const std::vector<std::string>& names) {
@@ -42,4 +42,4 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-}  // namespace planetree::tool
+}  // namespace planetree::detail
