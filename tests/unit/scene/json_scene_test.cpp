@@ -347,9 +347,8 @@ TEST(JsonRefusal, OfAMillionBrackets) {
     EXPECT_EQ(error.code(), ErrorCode::MalformedFile);
     EXPECT_EQ(error.line(), 2);
     // The scene is the first level, and the first bracket stands in column 11.
-    EXPECT_EQ(
-        error.column(),
-        11 + static_cast<std::int64_t>((json_format::kMaxNestingDepth - 1) * bracket.size()) + 1);
+    EXPECT_EQ(error.column(),
+              11 + static_cast<std::int64_t>((json_format::kMaxNestingDepth - 1) * bracket.size()));
   }
 }
 
