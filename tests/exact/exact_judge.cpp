@@ -402,6 +402,9 @@ double ExactJudge::largestDistance(const Rayd& ray) const noexcept {
 }
 
 Expectation ExactJudge::expect(const Rayd& ray) const {
+  // The bounds of nothing are not finite.
+  if (faces_.empty())
+    return {};
   const double distance = largestDistance(ray);
   const double bound = boundInRoundoffs_ * roundoff_ * distance;
   const NearFilter filter(ray, bound * 1.001 + 0x1p-46 * distance);

@@ -86,6 +86,20 @@ std::vector<JudgedSet<T>> judgedSets() {
   return sets;
 }
 
+/// The same ray with a direction as short or long as docs/limits.md allows, by a power of two.
+template <class T>
+Ray<T> withAnyLength(Ray<T> ray, Random& random) {
+  const double size = length(static_cast<Vec3d>(ray.direction));
+  if (!(size > 0.0))
+    return ray;
+  const auto factor =
+      static_cast<T>(std::exp2(std::round(random.between(-59.0, 58.0) - std::log2(size))));
+  ray.direction = ray.direction * factor;
+  ray.tMin = ray.tMin / factor;
+  ray.tMax = ray.tMax / factor;
+  return ray;
+}
+
 /// Aimed at a feature of a face, and moved aside by a few ulps, or not.
 template <class T>
 Ray<T> nearMiss(const TriangleMesh<T>& mesh, const FaceIndices& face, double extent,
@@ -97,7 +111,8 @@ Ray<T> nearMiss(const TriangleMesh<T>& mesh, const FaceIndices& face, double ext
   const Vec3d a = corner(0);
   const Vec3d ab = corner(1) - a;
   const Vec3d ac = corner(2) - a;
-  const double distance = extent * std::exp2(random.between(-6.0, random.chance(0.1) ? 18.0 : 2.0));
+  const double farther = random.chance(0.1) ? 18.0 : 2.0;
+  const double distance = std::min(extent * std::exp2(random.between(-6.0, farther)), 0x1p39);
   const std::size_t kind = random.below(6);
   Vec3d target = a;
   if (kind == 1 || kind == 2)
@@ -119,8 +134,6 @@ Ray<T> nearMiss(const TriangleMesh<T>& mesh, const FaceIndices& face, double ext
     Vec3<T>& moved = random.chance(0.5) ? ray.direction : ray.origin;
     moved[axis] = detail::nudged(moved[axis], 12, random);
   }
-  if (random.chance(0.1))
-    ray.direction = ray.direction * static_cast<T>(std::exp2(std::round(random.between(-20, 20))));
   // An end of the interval where the target is, or nearly so.
   const double whole = random.chance(0.5) ? 1.0 : random.between(0.5, 1.5);
   const std::size_t interval = random.below(8);
@@ -130,7 +143,7 @@ Ray<T> nearMiss(const TriangleMesh<T>& mesh, const FaceIndices& face, double ext
     ray.tMin = detail::nudged(static_cast<T>(whole), 8, random);
   if (interval == 2)
     ray.tMin = -std::numeric_limits<T>::infinity();
-  return ray;
+  return random.chance(0.2) ? withAnyLength(ray, random) : ray;
 }
 
 /// Rays with a direction and finite numbers; those that miss by definition have tests elsewhere.
