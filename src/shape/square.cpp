@@ -1,3 +1,4 @@
+#include "mesh/triangle_hit.hpp"
 #include "shape/centered_ray.hpp"
 #include "shape/outward.hpp"
 
@@ -6,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
 
 namespace planetree {
 namespace {
@@ -29,11 +33,40 @@ struct Parallelogram {
   [[nodiscard]] bool hasSurface() const noexcept {
     return isFinite(center) && areaSquared > 0.0 && std::isfinite(areaSquared);
   }
+  /// Whether the angle between the edges is too small for u and v to be as exact as object.hpp asks
+  /// for: their error is that of rounding, divided by the sine.
+  template <class T>
+  [[nodiscard]] bool isNarrow() const noexcept {
+    constexpr double kLeastSine = std::is_same_v<T, float> ? 0x1p-20 : 0.5;
+    return areaSquared < kLeastSine * kLeastSine * dot(edgeU, edgeU) * dot(edgeV, edgeV);
+  }
   /// Half the size of the box around it, along one axis.
   [[nodiscard]] double extent(Axis axis) const noexcept {
     return detail::sumRoundedUp(std::fabs(edgeU[axis]), std::fabs(edgeV[axis])) / 2.0;
   }
 };
+
+/// The hit wherever on the ray it is, from the two triangles that make up the parallelogram: their
+/// test is exact for slivers, too. On the diagonal, which both have, the first one decides.
+std::optional<Hit<double>> findHitOfNarrow(const Parallelogram& narrow, const Vec3d& origin,
+                                           const Vec3d& direction) noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Vec3d halfU = narrow.edgeU / 2.0;
+  const Vec3d halfV = narrow.edgeV / 2.0;
+  const Vec3d lowerLeft = -halfU - halfV;
+  const Vec3d upperRight = halfU + halfV;
+  const ShearedRay<double> ray(Ray<double>{.origin = origin, .direction = direction});
+  auto hit =
+      detail::findTriangleHit(ray, lowerLeft, halfU - halfV, upperRight, -kInfinity, kInfinity);
+  if (hit) {
+    hit->u += hit->v;
+  } else {
+    hit = detail::findTriangleHit(ray, lowerLeft, upperRight, halfV - halfU, -kInfinity, kInfinity);
+    if (hit)
+      hit->v += hit->u;
+  }
+  return hit;
+}
 
 }  // namespace
 
@@ -79,7 +112,17 @@ std::optional<Hit<T>> Square<T>::intersect(const Ray<T>& ray, T tMin, T tMax) co
   const Parallelogram exact(*this);
   if (!exact.hasSurface())
     return std::nullopt;
-  const auto centered = detail::centeredRay(Vec3d(ray.origin) - exact.center, Vec3d(ray.direction));
+  const Vec3d origin = Vec3d(ray.origin) - exact.center;
+  if (exact.template isNarrow<T>()) {
+    const auto hit = findHitOfNarrow(exact, origin, Vec3d(ray.direction));
+    if (!hit || !detail::isWithin(static_cast<T>(hit->t), tMin, tMax))
+      return std::nullopt;
+    return Hit<T>{.t = static_cast<T>(hit->t),
+                  .u = static_cast<T>(std::min(hit->u, 1.0)),
+                  .v = static_cast<T>(std::min(hit->v, 1.0)),
+                  .normal = Vec3<T>(hit->normal)};
+  }
+  const auto centered = detail::centeredRay(origin, Vec3d(ray.direction));
   if (!centered)
     return std::nullopt;
 

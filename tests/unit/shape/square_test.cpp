@@ -1,9 +1,12 @@
 #include "unit/shape/shape_checks.hpp"
 
+#include "support/random.hpp"
+
 #include <planetree/shape/square.hpp>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace planetree::test {
@@ -57,6 +60,31 @@ TEST(Square, GrazedIsHitWithinItsEdges) {
     ASSERT_EQ(hits.size(), 1u) << slope;
     EXPECT_LE(std::fabs(ray.at(hits[0].t).x), 0.5 + 1e-15);
   }
+}
+
+// u, v and t were far off where the edges are almost parallel.
+TEST(Square, NarrowIsHitWhereUAndVSay) {
+  Random random(7);
+  const auto anyVector = [&random] { return random.pointIn<double>({-1, -1, -1}, {1, 1, 1}); };
+  int hitCount = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const Vec3d edgeU = anyVector();
+    const Vec3d edgeV =
+        edgeU * random.between(-2, 2) + anyVector() * std::exp2(random.between(-56, 0));
+    const Square<double> square{anyVector(), edgeU, edgeV};
+    const auto inside = [&](double u, double v) {
+      return square.center + edgeU * (u - 0.5) + edgeV * (v - 0.5);
+    };
+    const Vec3d origin = anyVector() * 4.0;
+    const Rayd ray{origin, inside(random.unit(), random.unit()) - origin, -kInfinity};
+    for (const Hitd& hit : allHits(square, ray)) {
+      ++hitCount;
+      ASSERT_TRUE(hit.u >= 0.0 && hit.u <= 1.0 && hit.v >= 0.0 && hit.v <= 1.0);
+      const Vec3d off = ray.at(hit.t) - inside(hit.u, hit.v);
+      ASSERT_LE(length(off), 20 * 0x1p-53 * 8.0) << "number " << i;
+    }
+  }
+  EXPECT_GT(hitCount, 150'000);
 }
 
 TEST(Square, BoundsAreFlatAndExactWhereTheyCanBe) {
