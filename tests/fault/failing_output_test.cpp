@@ -269,6 +269,27 @@ TEST_F(FailingOutput, ClosedStreamsStayOutOfTheFiles) {
   }
 }
 
+/// The number of a closed stream is the next that the system gives away: here, to a copy of
+/// standard input.
+TEST_F(FailingOutput, WhatGoesToAClosedStreamGoesNowhereElse) {
+  const std::map<std::string, std::string> before = files();
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--json"}}) {
+    OutputStart start = {.program = PLANETREE_TOOL,
+                         .arguments = {"trace", "-q", "model.obj", "-"},
+                         .folder = folder(),
+                         .closedStreams = {STDOUT_FILENO},
+                         .standardInput = folder() / "rays.csv"};
+    start.arguments.insert(start.arguments.end(), more.begin(), more.end());
+    const OutputResult result = run(start);
+    ++faultTally().injectedCount;
+    if (result.status != 1 ||
+        result.err.find("standard output: cannot be written") == result.err.npos)
+      reportLost("hits to a closed stream: " + result.err);
+    if (files() != before)
+      reportLost("hits to a closed stream went to the rays");
+  }
+}
+
 TEST_F(FailingOutput, AModelFromAClosedStandardInputIsToldToBeMissing) {
   const OutputResult result = run({.program = PLANETREE_TOOL,
                                    .arguments = {"trace", "model.obj", "-"},

@@ -7,9 +7,9 @@
 ///
 /// The program has `new` and `delete` of its own, and the linker leads the calls of `malloc`,
 /// `realloc`, `free`, `mmap` and `munmap` in planetree's libraries here. What oneTBB and the C
-/// library ask for on their own account is neither counted nor refused: a task that oneTBB cannot
-/// make is lost to it (it waits for the task for ever, or ends the program), which is not for us to
-/// mend.
+/// library ask for on their own account is neither counted nor refused: tasks, threads, buffers of
+/// streams. They take it from pools that stay when a build is over, so that its requests differ
+/// from run to run, and what becomes of a task that oneTBB cannot make is not for us to mend.
 namespace planetree::test {
 
 /// What is held at a time.

@@ -61,6 +61,8 @@ void setLimit(decltype(RLIMIT_AS) resource, const std::optional<std::uint64_t>& 
 /// In the new process, where only calls that are safe after fork may be made.
 [[noreturn]] void become(const OutputStart& start, std::vector<char*>& arguments, int out,
                          int err) {
+  if (!start.standardInput.empty())
+    ::dup2(::open(start.standardInput.c_str(), O_RDWR | O_CLOEXEC), STDIN_FILENO);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
   for (const int stream : start.closedStreams)

@@ -16,6 +16,7 @@ struct OutputStart {
   std::optional<std::uint64_t> largestFile = {};  ///< bytes, as on a disk that is nearly full
   std::optional<std::uint64_t> memory = {};       ///< bytes of addresses
   std::vector<int> closedStreams = {};            ///< as by the shell's >&-
+  std::filesystem::path standardInput = {};       ///< a file, open to write to as well, as by <>
   std::filesystem::path standardOutput = {};      ///< a file; without one a pipe, which is read
   /// So many bytes of standard output are read before its pipe is closed.
   std::optional<std::size_t> readBytes = {};
