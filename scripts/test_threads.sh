@@ -18,7 +18,7 @@ tbb=$PWD/build/thread-tbb
 nothing_tested=75
 targets=(threads unit_batch unit_render unit_split)
 # Long comparisons, and tests that stay on one thread, are left to other builds.
-tests='^(threads\.(InsideT|BuildWith|Threads/InsideT|ThrowingShapes|Concurrency)'
+tests='^(threads\.(Inside[TB]|BuildWith|Threads/InsideT|ThrowingShapes|Concurrency)'
 tests+='|threads\.Batch\.(GivesTheSame|HonoursTheChoices)|unit_batch\.(BatchThreads|Threads/BatchControl)'
 tests+='|unit_render\.RenderImage|unit_split\.(BuildProgress|StopOfABuild|BuildTree|RetractSplits\.IsTheSame)'
 tests+='|unit_split\.Determinism\.HoldsFor)'

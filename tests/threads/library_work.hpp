@@ -25,11 +25,7 @@ template <class Word>
 /// those of GoogleTest are not for everyone.
 class LibraryWork {
  public:
-  /// Whether this thread is inside of a call of the library that several threads work on.
-  static bool isInside() noexcept { return isInside_; }
-
   [[nodiscard]] bool buildsTheSame(std::uint32_t threadCount) const {
-    const Visit visit;
     const auto built = buildTree(mesh_.view(), {.threadCount = threadCount});
     return hasSameBytes(built.nodes(), tree_.nodes()) &&
            hasSameBytes(built.view().references, tree_.view().references);
@@ -45,7 +41,6 @@ class LibraryWork {
   }
 
   [[nodiscard]] bool tracesTheSame(std::uint32_t threadCount) const {
-    const Visit visit;
     std::vector<Hitf> hits(rays_.size());
     std::vector<std::uint8_t> flags(rays_.size());
     const BatchOptions options = {.threadCount = threadCount};
@@ -70,15 +65,6 @@ class LibraryWork {
   [[nodiscard]] std::span<const Rayf> rays() const noexcept { return rays_; }
 
  private:
-  struct Visit {
-    Visit() noexcept { isInside_ = true; }
-    ~Visit() { isInside_ = false; }
-    Visit(const Visit&) = delete;
-    Visit& operator=(const Visit&) = delete;
-  };
-
-  static inline thread_local bool isInside_ = false;
-
   // Enough for cells that all threads divide together, and for many portions of a batch.
   TriangleMesh<float> mesh_ = detail::soup<float>(901, 20'000, 0.02);
   KdTree<Face<float>> tree_ = buildTree(mesh_.view(), {.threadCount = 1});
