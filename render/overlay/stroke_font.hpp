@@ -20,8 +20,8 @@ inline constexpr double kDigitHeight = 7.0;  ///< in units
 /// How many pixels wide the text is.
 [[nodiscard]] double textWidth(std::string_view text, TextSize size) noexcept;
 
-/// Draws text that begins at `origin`, on the line. Small letters of English, digits and the marks
-/// of "+-.,:/()=" are known; other characters leave a blank.
+/// Draws text that begins at `origin`, on the line. Letters of English, digits and the marks of
+/// "+-.,:/()=_" are known; other characters leave a blank.
 void drawText(Image& image, const Point2& origin, TextSize size, std::string_view text,
               const Rgb8& colour);
 

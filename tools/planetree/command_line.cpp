@@ -1,5 +1,6 @@
 #include "command_line.hpp"
 
+#include "compare_command.hpp"
 #include "exit_status.hpp"
 #include "explain_command.hpp"
 #include "help_formatter.hpp"
@@ -30,6 +31,7 @@ constexpr const char* kExamples = R"(Examples:
   planetree info bunny.obj                what the tree of a model is like
   planetree explain bunny.obj --ray 0,0,5,0,0,-1
                                           how one ray walks through the tree
+  planetree compare bunny.obj             what each preset makes of a model
   planetree help trace                    all options of a command
 )";
 
@@ -55,6 +57,7 @@ CommandLine::CommandLine()
   add(addTraceCommand, runTraceCommand);
   add(addInfoCommand, runInfoCommand);
   add(addExplainCommand, runExplainCommand);
+  add(addCompareCommand, runCompareCommand);
   add(addHelpCommand, [this](const HelpCommand& c) { return runHelpCommand(c, app_); });
   add(addCompletionCommand,
       [this](const CompletionCommand& c) { return runCompletionCommand(c, app_); });

@@ -61,6 +61,17 @@ Model<T> readModel(const std::filesystem::path& path, const Talk& talk) {
   return model;
 }
 
+void requireHittable(const BuildReport& report, const std::string& name) {
+  if (report.skippedCount == report.objectCount) {
+    throw Error(
+        ErrorCode::InvalidGeometry,
+        fmt::format("has {}, none of which can be hit", counted(report.objectCount, "triangle")),
+        fmt::format("The first one {}: check how the model was exported.",
+                    reasonText(report.skipped.front().reason)),
+        {.file = name});
+  }
+}
+
 template <std::floating_point T>
 KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options,
                                const BuildControl& control, const Talk& talk) {
@@ -68,14 +79,7 @@ KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options,
   auto tree = buildWithProgress(std::move(model.mesh), options, control, talk);
   const BuildReport& report = tree.report();
   saySkipped(talk, report, sourceFaces);
-  if (report.skippedCount == report.objectCount) {
-    throw Error(
-        ErrorCode::InvalidGeometry,
-        fmt::format("has {}, none of which can be hit", counted(report.objectCount, "triangle")),
-        fmt::format("The first one {}: check how the model was exported.",
-                    reasonText(report.skipped.front().reason)),
-        {.file = model.name});
-  }
+  requireHittable(report, model.name);
   sayTree(talk, report, tree.statistics(), "triangle");
   return tree;
 }

@@ -25,6 +25,9 @@ struct Model {
 template <std::floating_point T>
 [[nodiscard]] Model<T> readModel(const std::filesystem::path& path, const Talk& talk);
 
+/// Throws `Error` if none of the triangles can be hit. `name` is that of the model.
+void requireHittable(const BuildReport& report, const std::string& name);
+
 /// Builds the tree, which takes the mesh, and says how that went; `control` is told nothing, a line
 /// of progress is. Throws `Error` if none of the triangles can be hit, and as `buildTree` does.
 template <std::floating_point T>

@@ -1,0 +1,104 @@
+#include "compare/compare_presets.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace planetree::tool {
+
+namespace {
+
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
+/// If all builds together take longer, once is enough: the longer they take, the less they vary.
+constexpr double kLongBuildSeconds = 1.0;
+
+template <class Work>
+double secondsOf(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double millionsPerSecond(std::size_t count, double seconds) {
+  return count == 0 ? 0.0 : static_cast<double>(count) / std::max(seconds, 1e-9) / 1e6;
+}
+
+double comparableSahCost(const KdTree<Face<float>>& tree) {
+  constexpr CostModel kCosts;
+  return treeStatistics(
+             tree.nodes(), tree.bounds(),
+             {.traversalCost = kCosts.traversalCost, .intersectionCost = kCosts.faceCost})
+      .sahCost;
+}
+
+/// The least seconds of the rounds, of each kind of rays.
+struct BestSeconds {
+  double primary = kForever;
+  double ao = kForever;
+  double random = kForever;
+};
+
+}  // namespace
+
+void PresetComparison::build(const std::vector<std::string>& names,
+                             const std::function<KdTree<Face<float>>(std::size_t)>& build) {
+  figures_.clear();
+  double seconds = 0.0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    KdTree<Face<float>> tree = build(i);
+    const double buildSeconds = tree.report().totalSeconds;
+    seconds += buildSeconds;
+    TreeStatistics statistics = tree.statistics();
+    const double sahCost = comparableSahCost(tree);
+    figures_.push_back({.name = names[i],
+                        .tree = std::move(tree),
+                        .statistics = std::move(statistics),
+                        .buildSeconds = buildSeconds,
+                        .sahCost = sahCost,
+                        .steps = {},
+                        .speeds = {}});
+  }
+  for (std::uint32_t round = 1; round < settings_.roundCount && seconds < kLongBuildSeconds;
+       ++round) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      double& best = figures_[i].buildSeconds;
+      best = std::min(best, build(i).report().totalSeconds);
+    }
+  }
+}
+
+void PresetComparison::trace(const ComparisonRays& rays,
+                             const std::function<void(double done)>& onProgress) {
+  const BatchOptions options{.query = {}, .threadCount = settings_.threadCount};
+  std::vector<Hitf> hits(std::max(rays.primary.size(), rays.random.size()));
+  std::vector<std::uint8_t> flags(rays.ao.size());
+  const auto seconds = [&](const KdTree<Face<float>>& tree, const std::vector<Rayf>& asked) {
+    return secondsOf(
+        [&] { tree.findIntersections(asked, std::span(hits).first(asked.size()), options); });
+  };
+  std::vector<BestSeconds> best(figures_.size());
+  const double turnCount = static_cast<double>(settings_.roundCount * figures_.size());
+  for (std::uint32_t round = 0; round < settings_.roundCount; ++round) {
+    for (std::size_t turn = 0; turn < figures_.size(); ++turn) {
+      const std::size_t i = (turn + round) % figures_.size();
+      const KdTree<Face<float>>& tree = figures_[i].tree;
+      best[i].primary = std::min(best[i].primary, seconds(tree, rays.primary));
+      best[i].ao = std::min(
+          best[i].ao, secondsOf([&] { tree.areOccluded(rays.ao, std::span(flags), options); }));
+      best[i].random = std::min(best[i].random, seconds(tree, rays.random));
+      onProgress(static_cast<double>(round * figures_.size() + turn + 1) / turnCount);
+    }
+  }
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
+    figures_[i].speeds = {.primary = millionsPerSecond(rays.primary.size(), best[i].primary),
+                          .ao = millionsPerSecond(rays.ao.size(), best[i].ao),
+                          .random = millionsPerSecond(rays.random.size(), best[i].random)};
+    for (const Rayf& ray : rays.primary)
+      static_cast<void>(figures_[i].tree.findIntersection(ray, figures_[i].steps));
+  }
+}
+
+}  // namespace planetree::tool
