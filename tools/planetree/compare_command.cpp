@@ -131,8 +131,7 @@ void buildAll(const CompareCommand& command, const Model<float>& model, const Ta
 
 render::Rendering rendered(const CompareCommand& command, const KdTree<Face<float>>& tree,
                            const render::Camera& camera, render::RenderMode mode) {
-  // It goes on to the end, so there is a picture.
-  return *renderImage(render::TreeTracer<Face<float>>(tree),
+  return renderImage(render::TreeTracer<Face<float>>(tree),
                       {.size = command.size,
                        .camera = camera,
                        .mode = mode,
@@ -207,7 +206,12 @@ CLI::App* addCompareCommand(CLI::App& app, CompareCommand& command) {
            "and then the table is left out")
       ->type_name("FILE.png")
       ->group(sheet);
-  addValue(compare, "--size", command.size, parseSize, "Width and height of each picture in pixels")
+  const auto parseSheetSize = [](const OptionText& option) {
+    const SizeOption size = parseSize(option);
+    const std::uint32_t usualHeight = std::max(1u, size.width / 4 * 3);
+    return render::ImageSize{size.width, size.height.value_or(usualHeight)};
+  };
+  addValue(compare, "--size", command.size, parseSheetSize, "Width and height of each picture in pixels")
       ->type_name("WxH")
       ->default_str(fmt::format("{}x{}", command.size.width, command.size.height))
       ->group(sheet);

@@ -196,6 +196,40 @@ TEST(ReadTexture, ReadsPng) {
   expectColour(black.texel(1, 2), 0, 0, 0);
 }
 
+// stb_image writes beyond its tables for these; see jpeg_guard.hpp.
+const Bytes kTooManyCodes = {0xFF, 0xC4, 0x00, 0x13, 0x00, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
+                             0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+
+Bytes inserted(Bytes bytes, std::size_t offset, const Bytes& what) {
+  bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(offset), what.begin(), what.end());
+  return bytes;
+}
+
+TEST(ReadTexture, RefusesJpegWithMoreCodesThanThereCanBe) {
+  constexpr std::size_t kBehindStart = 2;
+  const std::size_t end = kJpeg.size() - 2;
+  EXPECT_EQ(codeOf(inserted(kJpeg, kBehindStart, kTooManyCodes)), ErrorCode::MalformedFile);
+  EXPECT_EQ(codeOf(inserted(kJpeg, end, kTooManyCodes)), ErrorCode::MalformedFile);
+  EXPECT_EQ(codeOf(inserted(kJpeg, end - 3, kTooManyCodes)), ErrorCode::MalformedFile);
+  // The second table of a segment, and one of which the file has only the beginning.
+  Bytes second = {0xFF, 0xC4, 0x00, 0x25, 0x00};
+  second.resize(second.size() + 16, 0);
+  second.insert(second.end(), kTooManyCodes.begin() + 4, kTooManyCodes.end());
+  EXPECT_EQ(codeOf(inserted(kJpeg, kBehindStart, second)), ErrorCode::MalformedFile);
+  const Bytes cut(kTooManyCodes.begin(), kTooManyCodes.begin() + 9);
+  EXPECT_EQ(codeOf(inserted({0xFF, 0xD8}, kBehindStart, cut)), ErrorCode::MalformedFile);
+}
+
+TEST(ReadTexture, ReadsJpegWhoseCommentsLookLikeTables) {
+  for (const std::uint8_t marker : Bytes{0xE1, 0xE2, 0xEF, 0xFE}) {
+    Bytes comment = {0xFF, marker, 0x00, static_cast<std::uint8_t>(2 + kTooManyCodes.size())};
+    comment.insert(comment.end(), kTooManyCodes.begin(), kTooManyCodes.end());
+    expectColour(read(inserted(kJpeg, 2, comment)).texel(0, 0), 200, 100, 50, 0.02f);
+  }
+  // Some cameras put a second image behind the first.
+  expectColour(read(inserted(kJpeg, kJpeg.size(), kTooManyCodes)).texel(0, 0), 200, 100, 50, 0.02f);
+}
+
 TEST(ReadTexture, RefusesWhatIsNoImage) {
   EXPECT_EQ(codeOf({}), ErrorCode::UnknownFormat);
   EXPECT_EQ(codeOf({'h', 'e', 'l', 'l', 'o'}), ErrorCode::UnknownFormat);
