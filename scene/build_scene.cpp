@@ -196,21 +196,20 @@ SurfaceMaterial BuiltScene::Parts::surfaceMaterial(const PlacedShape& shape, con
   SurfaceMaterial surface;
   surface.materials[0] = shape.material;
   surface.place = {static_cast<double>(hit.u), static_cast<double>(hit.v)};
-  const bool isBox = std::holds_alternative<UnitBox>(shape.shape);
-  const bool isSphere = std::holds_alternative<UnitSphere>(shape.shape);
-  if (!isBox && !isSphere)
+  if (std::holds_alternative<UnitSquare>(shape.shape))
     return surface;
-  // The parameters of the hit are those of the placed shape, which may have been turned.
+  // The other parameters of a hit are those of the placed shape, which may have been turned.
   const Vec3d local = shape.placement.inverse().value_or(Affine()).point(positionOf(ray, hit));
-  if (isBox) {
-    const BoxPlace place = placeOnUnitBox(local);
+  if (std::holds_alternative<UnitBox>(shape.shape)) {
+    const BoxPlace place = placeOnUnitBox(local, hit.primitive);
     surface.place = {place.u, place.v};
-  } else {
-    constexpr double kTurn = 6.283185307179586;
-    const double longitude = std::atan2(local.y, local.x) / kTurn;
-    surface.place = {longitude < 0.0 ? longitude + 1.0 : longitude,
-                     std::atan2(std::hypot(local.x, local.y), -local.z) / (kTurn / 2)};
+    return surface;
   }
+  constexpr double kTurn = 6.283185307179586;
+  const double longitude = std::atan2(local.y, local.x) / kTurn;
+  surface.place.u = longitude < 0.0 ? longitude + 1.0 : longitude;
+  if (std::holds_alternative<UnitSphere>(shape.shape))
+    surface.place.v = std::atan2(std::hypot(local.x, local.y), -local.z) / (kTurn / 2);
   return surface;
 }
 

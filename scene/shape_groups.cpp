@@ -17,6 +17,8 @@ namespace planetree::scene {
 
 namespace {
 
+constexpr std::uint32_t kFacesPerBox = 12;
+
 /// Whether circles around z stay circles, and upright on the axis: then a cone stays a cone.
 bool keepsConesRight(const Affine& placement) noexcept {
   constexpr double kTolerance = 1e-12;
@@ -74,8 +76,6 @@ class ShapeSorter {
   }
 
  private:
-  static constexpr std::uint32_t kFacesPerBox = 12;
-
   void add(const UnitSphere&) {
     if (const auto scale = placement_->uniformScale()) {
       spheres_.add({Vec3f(placement_->origin()), static_cast<float>(*scale)}, shape_);
@@ -97,6 +97,7 @@ class ShapeSorter {
       const auto side = [corner](std::uint32_t axis) { return (corner >> axis & 1u) - 0.5; };
       boxes_.positions.push_back(Vec3f(placement_->point({side(0), side(1), side(2)})));
     }
+    // Two of each side, in the order -x, x, -y, y, -z, z.
     constexpr FaceIndices kFaces[kFacesPerBox] = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5},
                                                   {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
                                                   {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
@@ -186,14 +187,22 @@ GroupedShapes groupShapes(const SceneDescription& description) {
   return ShapeSorter(description).sorted();
 }
 
-BoxPlace placeOnUnitBox(const Vec3d& point) noexcept {
-  const Vec3d size{std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)};
+BoxPlace placeOnUnitBox(const Vec3d& point, std::uint32_t primitive) noexcept {
   const auto place = [](double u, double v) { return BoxPlace{u + 0.5, v + 0.5}; };
-  if (size.x >= size.y && size.x >= size.z)
-    return point.x > 0.0 ? place(-point.z, point.y) : place(point.z, point.y);
-  if (size.y >= size.z)
-    return point.y > 0.0 ? place(point.x, -point.z) : place(point.x, point.z);
-  return point.z > 0.0 ? place(point.x, point.y) : place(-point.x, point.y);
+  switch (primitive % kFacesPerBox / 2) {
+    case 0:  // -x
+      return place(point.z, point.y);
+    case 1:
+      return place(-point.z, point.y);
+    case 2:  // -y
+      return place(point.x, point.z);
+    case 3:
+      return place(point.x, -point.z);
+    case 4:  // -z
+      return place(-point.x, point.y);
+    default:
+      return place(point.x, point.y);
+  }
 }
 
 }  // namespace planetree::scene

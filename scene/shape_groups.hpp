@@ -28,12 +28,16 @@ struct GroupedShapes {
 /// Throws `Error` with `InvalidGeometry` if a placement is singular.
 [[nodiscard]] GroupedShapes groupShapes(const SceneDescription& description);
 
-/// The side of the unit box on which a point of its surface lies, and where on it, both from 0 to
-/// 1: upright and unmirrored as seen from outside, with y up (on the top and the bottom, -z and z).
+/// A place on a side of the unit box, both from 0 to 1: upright and unmirrored as seen from
+/// outside, with y up (on the top and the bottom, -z and z).
 struct BoxPlace {
   double u = 0.0;
   double v = 0.0;
 };
-[[nodiscard]] BoxPlace placeOnUnitBox(const Vec3d& point) noexcept;
+
+/// Where a point is on the side that a triangle of a box belongs to; `primitive` is that of the
+/// hit. The side is not taken from the point: on a thin box the rounding of the point decides
+/// nothing.
+[[nodiscard]] BoxPlace placeOnUnitBox(const Vec3d& point, std::uint32_t primitive) noexcept;
 
 }  // namespace planetree::scene
