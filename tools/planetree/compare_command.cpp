@@ -132,11 +132,11 @@ void buildAll(const CompareCommand& command, const Model<float>& model, const Ta
 render::Rendering rendered(const CompareCommand& command, const KdTree<Face<float>>& tree,
                            const render::Camera& camera, render::RenderMode mode) {
   return renderImage(render::TreeTracer<Face<float>>(tree),
-                      {.size = command.size,
-                       .camera = camera,
-                       .mode = mode,
-                       .samplesPerPixel = command.samplesPerPixel,
-                       .threadCount = command.run.threadCount});
+                     {.size = command.size,
+                      .camera = camera,
+                      .mode = mode,
+                      .samplesPerPixel = command.samplesPerPixel,
+                      .threadCount = command.run.threadCount});
 }
 
 void writeSheet(const CompareCommand& command, const Model<float>& model,
@@ -211,7 +211,8 @@ CLI::App* addCompareCommand(CLI::App& app, CompareCommand& command) {
     const std::uint32_t usualHeight = std::max(1u, size.width / 4 * 3);
     return render::ImageSize{size.width, size.height.value_or(usualHeight)};
   };
-  addValue(compare, "--size", command.size, parseSheetSize, "Width and height of each picture in pixels")
+  addValue(compare, "--size", command.size, parseSheetSize,
+           "Width and height of each picture in pixels")
       ->type_name("WxH")
       ->default_str(fmt::format("{}x{}", command.size.width, command.size.height))
       ->group(sheet);
