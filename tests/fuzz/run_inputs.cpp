@@ -27,14 +27,18 @@ std::vector<fs::path> filesOf(const fs::path& path) {
   return files;
 }
 
-void run(const fs::path& path) {
+/// False if the file cannot be read.
+bool run(const fs::path& path) {
   // An input that ends the program is the last that was named.
   std::fprintf(stderr, "%s\n", path.c_str());
   std::ifstream file(path, std::ios::binary);
+  if (!file)
+    return false;
   const std::vector<char> content{std::istreambuf_iterator<char>(file), {}};
   // Of the very size, so that sanitizers see a step beyond the end.
   const std::vector<std::uint8_t> bytes(content.begin(), content.end());
   LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+  return true;
 }
 
 }  // namespace
@@ -45,7 +49,10 @@ int main(int argc, char** argv) {
     if (std::string_view(argv[i]).starts_with('-'))
       continue;
     for (const fs::path& path : filesOf(argv[i])) {
-      run(path);
+      if (!run(path)) {
+        std::fprintf(stderr, "cannot be read\n");
+        return 1;
+      }
       ++count;
     }
   }
