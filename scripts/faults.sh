@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tries faults: memory that runs out at every request, stops at every progress call, outputs that
-# fail at every byte, inputs that change, a reader that dies at any byte. Takes some ten minutes; the
-# tests try some of each. Prints `faults injected: N, lost: 0, leaked: 0`.
+# fail after any number of bytes, inputs that change, a reader that dies at any byte. Takes about half
+# an hour; the tests try some of each. Prints `faults injected: N, lost: 0, leaked: 0`.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/packages.sh

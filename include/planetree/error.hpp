@@ -10,7 +10,7 @@ namespace planetree {
 
 /// What kind of thing went wrong; the text of the error says the rest.
 enum class ErrorCode : std::uint8_t {
-  FileNotReadable,      ///< missing, a folder, no permission, or it failed or changed while being read
+  FileNotReadable,      ///< missing, a folder, no permission; failed or changed meanwhile
   FileNotWritable,      ///< no such folder, no permission, disk full
   UnknownFormat,        ///< the file is none of the formats that are read
   MalformedFile,        ///< the file breaks its own format: truncated, or lying about its counts

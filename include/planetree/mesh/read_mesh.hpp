@@ -49,12 +49,12 @@ struct MeshReadReport {
 /// counted. Vertices that are not finite are kept: the tree skips and counts the faces that use
 /// them.
 ///
-/// Throws `Error` with `FileNotReadable` (missing, a folder, no permission, written to meanwhile), `UnknownFormat` (also
-/// for an empty file), `MalformedFile` (truncated, counts that do not fit the file, not a number,
-/// unknown keywords), or `CapacityExceeded` (more vertices or triangles than 32 bits can count),
-/// naming the file and, in text formats, the line; the report is then left as it was. A file
-/// without polygons gives an empty mesh. Any thread may call it. Time and memory grow linearly with
-/// the size of the file, whatever its header claims.
+/// Throws `Error` with `FileNotReadable` (missing, a folder, no permission, written to meanwhile),
+/// `UnknownFormat` (also for an empty file), `MalformedFile` (truncated, counts that do not fit the
+/// file, not a number, unknown keywords), or `CapacityExceeded` (more vertices or triangles than 32
+/// bits can count), naming the file and, in text formats, the line; the report is then left as it
+/// was. A file without polygons gives an empty mesh. Any thread may call it. Time and memory grow
+/// linearly with the size of the file, whatever its header claims.
 template <std::floating_point T>
 [[nodiscard]] TriangleMesh<T> readMesh(const std::filesystem::path& path,
                                        MeshReadReport* report = nullptr);
