@@ -10,6 +10,18 @@ namespace planetree::tool {
 
 namespace {
 
+bool isRayScene(const std::filesystem::path& path) {
+  return lowerCaseExtension(path) == ".ray";
+}
+
+bool isJsonScene(const std::filesystem::path& path) {
+  return lowerCaseExtension(path) == ".json";
+}
+
+scene::SceneDescription readModelOfScene(const std::filesystem::path& path) {
+  return importing::importScene(path);
+}
+
 scene::SceneDescription readRay(const std::filesystem::path& path) {
   scene::SceneDescription description = scene::readRayScene(path);
   // The format has a camera for files that have none.
@@ -21,12 +33,14 @@ scene::SceneDescription readRay(const std::filesystem::path& path) {
 }  // namespace
 
 bool isSceneFile(const std::filesystem::path& path) {
-  return lowerCaseExtension(path) == ".ray";
+  return isRayScene(path) || isJsonScene(path);
 }
 
 scene::SceneDescription readScene(const std::filesystem::path& path) {
-  if (isSceneFile(path))
+  if (isRayScene(path))
     return readRay(path);
+  if (isJsonScene(path))
+    return scene::readJsonScene(path, {.model = readModelOfScene});
   return importing::importScene(path == kStandardInput ? "/dev/stdin" : path);
 }
 

@@ -56,8 +56,8 @@ void parse(unsigned kind, const tool::OptionText& option) {
     case 6:
       return static_cast<void>(tool::parseMask(option));
     case 7: {
-      const render::ImageSize size = tool::parseSize(option);
-      const std::uint64_t count = std::uint64_t{size.width} * size.height;
+      const tool::SizeOption size = tool::parseSize(option);
+      const std::uint64_t count = std::uint64_t{size.width} * size.height.value_or(1);
       return require(count > 0 && count <= tool::kMaxPixelCount, "a picture is not too large");
     }
     case 8: {
