@@ -1,14 +1,12 @@
 #include "exact/exact_judge.hpp"
 
-// CGAL's own headers bring warnings that are not ours to mend; the build marks them as the
-// system's.
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include "exact/exact_view.hpp"
+#include "exact/near_filter.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -16,144 +14,10 @@
 namespace planetree::test {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Number = Kernel::FT;
-
-/// A point as the ray sees it: the ray runs along the third axis and starts at the origin.
-using Point = std::array<Number, 3>;
-using Polygon = std::vector<Point>;
-
-struct Axes {
-  Axis x;
-  Axis y;
-  Axis z;
-
-  /// Of axes along which the direction is equally large the last one, as the library has it.
-  explicit Axes(const Vec3d& direction) noexcept : x(Axis::X), y(Axis::Y), z(Axis::X) {
-    for (const Axis axis : kAxes) {
-      if (std::fabs(direction[axis]) >= std::fabs(direction[z]))
-        z = axis;
-    }
-    x = nextAxis(z);
-    y = nextAxis(x);
-  }
-};
-
-/// A ray and what its view of a corner takes, without rounding.
-class View {
- public:
-  explicit View(const Rayd& ray)
-      : ray_(ray),
-        axes_(ray.direction),
-        directionZ_(ray.direction[axes_.z]),
-        shearX_(Number(ray.direction[axes_.x]) / directionZ_),
-        shearY_(Number(ray.direction[axes_.y]) / directionZ_) {}
-
-  [[nodiscard]] Point of(const Vec3d& corner) const {
-    const auto along = [&](Axis axis) { return Number(corner[axis]) - Number(ray_.origin[axis]); };
-    const Number z = along(axes_.z);
-    return {along(axes_.x) - shearX_ * z, along(axes_.y) - shearY_ * z, z};
-  }
-  [[nodiscard]] const Number& directionZ() const noexcept { return directionZ_; }
-
- private:
-  const Rayd& ray_;
-  Axes axes_;
-  Number directionZ_;
-  Number shearX_;
-  Number shearY_;
-};
-
-/// What of the polygon lies where `sign * coordinate <= limit`. Sutherland and Hodgman, "Reentrant
-/// polygon clipping", Communications of the ACM 1974; right for polygons without area, too, as
-/// nothing is rounded.
-Polygon clipped(const Polygon& polygon, std::size_t axis, int sign, const Number& limit) {
-  const auto beyond = [&](const Point& p) { return sign > 0 ? p[axis] - limit : -p[axis] - limit; };
-  Polygon kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point& p = polygon[i];
-    const Point& q = polygon[(i + 1) % polygon.size()];
-    const Number ofP = beyond(p);
-    const Number ofQ = beyond(q);
-    if (ofP <= 0)
-      kept.push_back(p);
-    if ((ofP < 0 && ofQ > 0) || (ofP > 0 && ofQ < 0)) {
-      const Number part = ofP / (ofP - ofQ);
-      Point between;
-      for (std::size_t k = 0; k < 3; ++k)
-        between[k] = p[k] + (q[k] - p[k]) * part;
-      between[axis] = sign > 0 ? limit : -limit;
-      kept.push_back(between);
-    }
-  }
-  return kept;
-}
-
-/// What of the polygon has its first `axes` coordinates between -limit and limit.
-Polygon clippedToBox(Polygon polygon, std::size_t axes, const Number& limit) {
-  for (std::size_t axis = 0; axis < axes; ++axis) {
-    polygon = clipped(polygon, axis, 1, limit);
-    polygon = clipped(polygon, axis, -1, limit);
-  }
-  return polygon;
-}
-
-/// The interval of t over points of a polygon, and `margin` more along z to both sides.
-std::pair<Number, Number> intervalOfT(const Polygon& polygon, const Number& directionZ,
-                                      const Number& margin) {
-  Number lower = polygon.front()[2] / directionZ;
-  Number upper = lower;
-  for (const Point& point : polygon) {
-    const Number t = point[2] / directionZ;
-    lower = std::min(lower, t);
-    upper = std::max(upper, t);
-  }
-  const Number more = margin / CGAL::abs(directionZ);
-  return {lower - more, upper + more};
-}
-
-/// Twice the signed area of the sheared triangle of the ray and the edge.
-Number edgeFunction(const Point& p, const Point& q) {
-  return p[0] * q[1] - p[1] * q[0];
-}
-
-/// The distance between the ray and the edge in the sheared plane: the least, over the edge, of
-/// the larger of |x| and |y|. That is convex, and linear between the places where one of them is
-/// zero or both are equal.
-Number distanceToEdge(const Point& p, const Point& q) {
-  const auto size = [](const Number& x, const Number& y) {
-    return std::max(CGAL::abs(x), CGAL::abs(y));
-  };
-  Number least = std::min(size(p[0], p[1]), size(q[0], q[1]));
-  const auto tryZeroOf = [&](const Number& atP, const Number& atQ) {
-    if (!((atP < 0 && atQ > 0) || (atP > 0 && atQ < 0)))
-      return;
-    const Number part = atP / (atP - atQ);
-    least = std::min(least, size(p[0] + (q[0] - p[0]) * part, p[1] + (q[1] - p[1]) * part));
-  };
-  tryZeroOf(p[0], q[0]);
-  tryZeroOf(p[1], q[1]);
-  tryZeroOf(p[0] - p[1], q[0] - q[1]);
-  tryZeroOf(p[0] + p[1], q[0] + q[1]);
-  return least;
-}
-
-/// The side on which the point (e, e^2), for e that tends to zero, sees the edge.
-int sideOfEdge(const Point& p, const Point& q) {
-  if (const CGAL::Sign sign = CGAL::sign(edgeFunction(p, q)); sign != CGAL::ZERO)
-    return sign;
-  if (const CGAL::Sign sign = CGAL::sign(p[1] - q[1]); sign != CGAL::ZERO)
-    return sign;
-  return CGAL::sign(q[0] - p[0]);
-}
-
-/// How often the triangle winds around the ray, seen against z: 1, 0 or -1.
-int windingAlongZ(const std::array<Point, 3>& corners) {
-  const int side = sideOfEdge(corners[0], corners[1]);
-  return side == sideOfEdge(corners[1], corners[2]) && side == sideOfEdge(corners[2], corners[0])
-             ? side
-             : 0;
-}
+using exact::Number;
+using exact::Point;
+using exact::Polygon;
+using Kernel = exact::Kernel;
 
 Kernel::Point_3 toPoint(const Vec3d& p) {
   return {p.x, p.y, p.z};
@@ -179,20 +43,21 @@ int sideOfLine(const Rayd& ray, const Corners& corners) {
   return positive == 3 || negative == 3 ? 1 : 0;
 }
 
-std::array<Point, 3> sheared(const View& view, const Corners& corners) {
+std::array<Point, 3> sheared(const exact::View& view, const Corners& corners) {
   return {view.of(corners[0]), view.of(corners[1]), view.of(corners[2])};
 }
 
 /// The kind of a meeting and, unless it is a miss, its t.
 std::pair<Meeting, std::optional<std::pair<Number, Number>>> meetExactly(
-    const Rayd& ray, const View& view, const Corners& corners, const std::array<Point, 3>& points) {
+    const Rayd& ray, const exact::View& view, const Corners& corners,
+    const std::array<Point, 3>& points) {
   const int side = sideOfLine(ray, corners);
   if (side < 0)
     return {Meeting::Miss, {}};
-  const Polygon common = clippedToBox({points.begin(), points.end()}, 2, Number(0));
+  const Polygon common = exact::clippedToBox({points.begin(), points.end()}, 2, Number(0));
   if (common.empty())
     return {Meeting::Miss, {}};
-  const auto [lower, upper] = intervalOfT(common, view.directionZ(), Number(0));
+  const auto [lower, upper] = exact::intervalOfT(common, view.directionZ(), Number(0));
   const bool beginsInside = ray.tMin == -std::numeric_limits<double>::infinity() ||
                             (std::isfinite(ray.tMin) && Number(ray.tMin) < lower);
   const bool endsInside = ray.tMax == std::numeric_limits<double>::infinity() ||
@@ -203,57 +68,6 @@ std::pair<Meeting, std::optional<std::pair<Number, Number>>> meetExactly(
   const bool isProper = side > 0 && beginsInside && endsInside;
   return {isProper ? Meeting::Hit : Meeting::Touching, std::pair(lower, upper)};
 }
-
-/// Rules out, in double, most triangles that are not near: one whose shadow in the sheared plane a
-/// line keeps away from the ray by more than `margin`. Sheared corners are off by a few 2^-53 D
-/// here, of which the margin has to have room for some dozens.
-class NearFilter {
- public:
-  NearFilter(const Rayd& ray, double margin) noexcept
-      : origin_(ray.origin),
-        axes_(ray.direction),
-        shearX_(ray.direction[axes_.x] / ray.direction[axes_.z]),
-        shearY_(ray.direction[axes_.y] / ray.direction[axes_.z]),
-        margin_(margin) {}
-
-  [[nodiscard]] bool mayBeNear(const Corners& corners) const noexcept {
-    std::array<double, 3> x;
-    std::array<double, 3> y;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3d relative = corners[i] - origin_;
-      x[i] = relative[axes_.x] - shearX_ * relative[axes_.z];
-      y[i] = relative[axes_.y] - shearY_ * relative[axes_.z];
-    }
-    if (isKeptAway(x, y, 1.0, 0.0) || isKeptAway(x, y, 0.0, 1.0))
-      return false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t next = (i + 1) % 3;
-      if (isKeptAway(x, y, y[i] - y[next], x[next] - x[i]))
-        return false;
-    }
-    return true;
-  }
-
- private:
-  [[nodiscard]] bool isKeptAway(const std::array<double, 3>& x, const std::array<double, 3>& y,
-                                double normalX, double normalY) const noexcept {
-    const double reach = margin_ * (std::fabs(normalX) + std::fabs(normalY));
-    int before = 0;
-    int behind = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double along = normalX * x[i] + normalY * y[i];
-      before += along > reach ? 1 : 0;
-      behind += along < -reach ? 1 : 0;
-    }
-    return before == 3 || behind == 3;
-  }
-
-  Vec3d origin_;
-  Axes axes_;
-  double shearX_;
-  double shearY_;
-  double margin_;
-};
 
 /// Two corners of a face, the lower number first, and whether the face has them in this order.
 struct Edge {
@@ -343,7 +157,7 @@ bool areFinite(const Corners& corners) noexcept {
 }  // namespace
 
 ExactMeeting meet(const Rayd& ray, const Corners& corners) {
-  const View view(ray);
+  const exact::View view(ray);
   const auto points = sheared(view, corners);
   const auto [kind, interval] = meetExactly(ray, view, corners, points);
   ExactMeeting meeting;
@@ -353,9 +167,9 @@ ExactMeeting meet(const Rayd& ray, const Corners& corners) {
     meeting.tLower = CGAL::to_interval(interval->first).first;
     meeting.tUpper = CGAL::to_interval(interval->second).second;
   }
-  const Number distance =
-      std::min({distanceToEdge(points[0], points[1]), distanceToEdge(points[1], points[2]),
-                distanceToEdge(points[2], points[0])});
+  const Number distance = std::min({exact::distanceToEdge(points[0], points[1]),
+                                    exact::distanceToEdge(points[1], points[2]),
+                                    exact::distanceToEdge(points[2], points[0])});
   const double depth = CGAL::to_double(distance);
   meeting.depth = sideOfLine(ray, corners) > 0 ? depth : -depth;
   return meeting;
@@ -408,7 +222,7 @@ Expectation ExactJudge::expect(const Rayd& ray) const {
   const double distance = largestDistance(ray);
   const double bound = boundInRoundoffs_ * roundoff_ * distance;
   const NearFilter filter(ray, bound * 1.001 + 0x1p-46 * distance);
-  const View view(ray);
+  const exact::View view(ray);
   const Number exactBound(bound);
 
   Expectation expectation;
@@ -424,15 +238,15 @@ Expectation ExactJudge::expect(const Rayd& ray) const {
     expectation.missCount += kind == Meeting::Miss ? 1u : 0u;
     expectation.touchingCount += kind == Meeting::Touching ? 1u : 0u;
 
-    const Polygon nearPart = clippedToBox({points.begin(), points.end()}, 2, exactBound);
+    const Polygon nearPart = exact::clippedToBox({points.begin(), points.end()}, 2, exactBound);
     if (nearPart.empty())
       continue;
-    const int towardZ = ray.direction[Axes(ray.direction).z] > 0.0 ? 1 : -1;
-    patches.addFace({face.number, windingAlongZ(points) * towardZ,
-                     intervalOfT(nearPart, view.directionZ(), exactBound)});
+    const int towardZ = ray.direction[RayAxes(ray.direction).z] > 0.0 ? 1 : -1;
+    patches.addFace({face.number, exact::windingAlongZ(points) * towardZ,
+                     exact::intervalOfT(nearPart, view.directionZ(), exactBound)});
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t next = (i + 1) % 3;
-      if (distanceToEdge(points[i], points[next]) <= exactBound)
+      if (exact::distanceToEdge(points[i], points[next]) <= exactBound)
         patches.addNearEdge({face.places[i], face.places[next]});
     }
   }
@@ -453,7 +267,7 @@ bool ExactJudge::isWithin(const Rayd& ray, double t, std::uint32_t face, int rou
     polygon.push_back(relative);
   }
   const Number unit = Number(roundoff_) * Number(largestDistance(ray));
-  return !clippedToBox(polygon, 3, unit * Number(roundoffs)).empty();
+  return !exact::clippedToBox(polygon, 3, unit * Number(roundoffs)).empty();
 }
 
 int ExactJudge::distanceInRoundoffs(const Rayd& ray, double t, std::uint32_t face, int most) const {

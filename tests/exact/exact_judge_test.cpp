@@ -5,16 +5,17 @@
 #include "exact/judged_answers.hpp"
 #include "soak/closed_solids.hpp"
 #include "soak/solid_rays.hpp"
+#include "support/hard_cases.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -129,6 +130,38 @@ TEST(Patches, HaveALongWindowWhereTheTriangleIsNearlyEdgeOn) {
   const Expectation along = judgeOf(wall).expect(down(0.0, 0x1p-21));
   ASSERT_EQ(along.patches.size(), 1u);
   EXPECT_GT(along.patches[0].tUpper - along.patches[0].tLower, 0.5);
+}
+
+// Most triangles are ruled out in double, without the exact kernel.
+TEST(Patches, HoldAllTrianglesWhoseOutlineIsNearAndNoOthers) {
+  Random random(81);
+  const TriangleMesh<float> mesh = detail::soup<float>(82, 60, 0.5, {1, 1, 1e-3});
+  const std::vector<Corners> faces = cornersOf(mesh);
+  const ExactJudge judge = judgeOf(mesh);
+  const Box3 bounds = buildTree(mesh.view()).bounds();
+  int nearCount = 0;
+  for (int i = 0; i < 400; ++i) {
+    const auto face = static_cast<std::uint32_t>(random.below(faces.size()));
+    const Vec3d onEdge =
+        faces[face][0] + (faces[face][1] - faces[face][0]) * random.between(-0.1, 1.1);
+    const Vec3d origin = random.pointIn<double>({-3, -3, -3}, {3, 3, 3});
+    Rayd ray{origin, onEdge - origin};
+    // At most two units of the bound aside.
+    ray.direction.x += random.between(-2.0, 2.0) * 8.0 * 0x1p-24 * 3.0;
+    double distance = 0.0;
+    for (const Axis axis : kAxes) {
+      distance =
+          std::max({distance, std::fabs(static_cast<double>(bounds.lower[axis]) - origin[axis]),
+                    std::fabs(static_cast<double>(bounds.upper[axis]) - origin[axis])});
+    }
+    const Expectation expectation = judge.expect(ray);
+    for (std::uint32_t other = 0; other < faces.size(); ++other) {
+      const bool isNear = meet(ray, faces[other]).depth >= -8.0 * 0x1p-24 * distance;
+      ASSERT_EQ(expectation.patchOf(other) != nullptr, isNear) << "face " << other;
+      nearCount += isNear ? 1 : 0;
+    }
+  }
+  EXPECT_GT(nearCount, 400);
 }
 
 /// The verdict on answers that were tampered with; every kind of fault has to be noticed.
