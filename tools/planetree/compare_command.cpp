@@ -204,8 +204,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareCommand& command) {
   addValue(compare, "-o,--output", command.output, parsePath,
            "Draw a picture and the heat of each preset into this PNG file; - is standard output, "
            "and then the table is left out")
-      ->type_name("FILE.png")
-      ->group(sheet);
+      ->type_name("FILE");
   const auto parseSheetSize = [](const OptionText& option) {
     const SizeOption size = parseSize(option);
     const std::uint32_t usualHeight = std::max(1u, size.width / 4 * 3);

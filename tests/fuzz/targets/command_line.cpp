@@ -67,7 +67,7 @@ void requireBuildable(const tool::TreeOptions& tree, const tool::RunOptions& run
 void lookAt(const Commands& commands) {
   const tool::RenderCommand& render = commands.render;
   requireBuildable(render.tree, render.run);
-  require(render.size.width > 0 && render.size.height > 0, "a picture has pixels");
+  require(render.size.width > 0 && render.size.height != 0u, "a picture has pixels");
   requireBuildable(commands.info.tree, commands.info.run);
   requireBuildable(commands.trace.tree, commands.trace.run);
   const tool::ExplainCommand& explain = commands.explain;
