@@ -4,8 +4,10 @@ include(CheckCXXCompilerFlag)
 include(CheckPIESupported)
 check_pie_supported(LANGUAGES CXX)
 
-# Those that the compiler has for this machine.
+# Those that the compiler has for this machine: clang takes the others, too, with a warning.
 set(planetree_hardening_flags)
+set(planetree_required_flags "${CMAKE_REQUIRED_FLAGS}")
+set(CMAKE_REQUIRED_FLAGS "${CMAKE_REQUIRED_FLAGS} -Werror")
 foreach(flag fstack-protector-strong fstack-clash-protection fcf-protection
         mbranch-protection=standard)
   string(MAKE_C_IDENTIFIER "planetree_has_${flag}" known)
@@ -14,6 +16,7 @@ foreach(flag fstack-protector-strong fstack-clash-protection fcf-protection
     list(APPEND planetree_hardening_flags -${flag})
   endif()
 endforeach()
+set(CMAKE_REQUIRED_FLAGS "${planetree_required_flags}")
 
 # Checks of sizes in the C library take an optimising compiler, and level 3 a new one: where it has
 # less, glibc warns.
