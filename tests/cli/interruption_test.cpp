@@ -1,5 +1,7 @@
 #include "trace_test.hpp"
 
+#include "support/read_png.hpp"
+
 #include <chrono>
 #include <csignal>
 #include <iostream>
@@ -36,18 +38,61 @@ class Interrupted : public ToolTest {
 
 class BySignal : public Interrupted, public testing::WithParamInterface<int> {};
 
-TEST_P(BySignal, ItEndsWithOneLineAndWritesNothing) {
+TEST_P(BySignal, RenderingKeepsWhatIsThere) {
   writeFile("picture.png", "the old picture");
-  // Large enough to take minutes: the signal always comes while it renders.
-  ToolProcess tool(folder(), ToolStart{.arguments = {"render", "--size", "4000x4000", "--samples",
-                                                     "256", "-o", "picture.png"}});
-  waitFor(tool, "view: ");
+  // Samples enough to take minutes: the signal always comes while it renders.
+  ToolProcess tool(folder(),
+                   ToolStart{.arguments = {"render", "--size", "200x150", "--samples", "65536",
+                                           "--preview", "0.05", "-o", "picture.png"}});
+  const Clock::time_point deadline = Clock::now() + 60s;
+  while (readFile("picture.png") == "the old picture") {
+    ASSERT_LT(Clock::now(), deadline) << "no preview: " << tool.errSoFar();
+    std::this_thread::sleep_for(5ms);
+  }
+  EXPECT_TRUE(isPng(readFile("picture.png"), 200, 150));
   const ToolResult result = end(tool, GetParam());
   EXPECT_EQ(result.signal, GetParam()) << "a shell has to see that it was interrupted";
   EXPECT_EQ(result.out, "");
-  EXPECT_TRUE(result.err.ends_with("\nplanetree: interrupted\n")) << result.err;
+  EXPECT_NE(result.err.find("\nplanetree: interrupted, and picture.png has "), std::string::npos)
+      << result.err;
+  EXPECT_TRUE(result.err.ends_with(" 1 % of the picture\n")) << result.err;
   EXPECT_EQ(filesInFolder(), std::vector<std::string>{"picture.png"});
-  EXPECT_EQ(readFile("picture.png"), "the old picture");
+  const auto picture = readPng(readFile("picture.png"));
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->image.size, (render::ImageSize{200, 150}));
+  EXPECT_TRUE(picture->texts.at("Done").ends_with(" % of the samples"));
+}
+
+TEST_P(BySignal, ASecondOneEndsItAtOnceWithoutAFile) {
+  writeFile("picture.png", "the old picture");
+  // Packing so many pixels takes far longer than the next signal.
+  ToolProcess tool(folder(), ToolStart{.arguments = {"render", "--size", "1500x1500", "--samples",
+                                                     "256", "-o", "picture.png"}});
+  waitFor(tool, "view: ");
+  std::this_thread::sleep_for(300ms);
+  // Two signals are one to a program that has not run meanwhile.
+  while (!tool.hasEnded()) {
+    tool.signal(GetParam());
+    std::this_thread::sleep_for(5ms);
+  }
+  const ToolResult result = tool.wait();
+  EXPECT_EQ(result.signal, GetParam());
+  EXPECT_TRUE(result.err.ends_with("planetree: interrupted\n") ||
+              result.err.ends_with("planetree: interrupted, and no file was written\n"))
+      << result.err;
+  EXPECT_EQ(filesInFolder(), std::vector<std::string>{"picture.png"});
+  EXPECT_TRUE(readFile("picture.png") == "the old picture");
+}
+
+TEST_P(BySignal, StandardOutputGetsNoHalfPicture) {
+  ToolProcess tool(folder(), ToolStart{.arguments = {"render", "--size", "200x150", "--samples",
+                                                     "65536", "-o", "-"}});
+  waitFor(tool, "view: ");
+  std::this_thread::sleep_for(300ms);
+  const ToolResult result = end(tool, GetParam());
+  EXPECT_EQ(result.signal, GetParam());
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(result.err.ends_with("\nplanetree: interrupted\n")) << result.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, BySignal, testing::Values(SIGINT, SIGTERM, SIGHUP));

@@ -103,7 +103,8 @@ INSTANTIATE_TEST_SUITE_P(
     Sizes, WrongUsage,
     testing::Values(Refused{{"render", "--size", "0x10"}, "--size 0x10"},
                     Refused{{"render", "--size", "10x0"}, "--size 10x0"},
-                    Refused{{"render", "--size", "10"}, "--size 10"},
+                    Refused{{"render", "--size", "0"}, "--size 0"},
+                    Refused{{"render", "--size", "99999999"}, "too large"},
                     Refused{{"render", "--size", "x"}, "--size x"},
                     Refused{{"render", "--size", ""}, "--size"},
                     Refused{{"render", "--size", "10x"}, "--size 10x"},
@@ -154,6 +155,39 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{{"render", "--mode", "heat", "--heat-max", "-5"}, "--heat-max -5"},
                     Refused{{"render", "--heat-max", "50"}, "--heat-max: only --mode heat"},
                     Refused{{"render", "--no-legend"}, "--no-legend: only --mode heat"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Parts, WrongUsage,
+    testing::Values(Refused{{"render", "--crop", "1,2,3"}, "3 numbers instead of 4"},
+                    Refused{{"render", "--crop", "1,2,3,x"}, "\"x\" is not a number"},
+                    Refused{{"render", "--crop", "-1,2,3,4"}, "--crop -1,2,3,4"},
+                    Refused{{"render", "--crop", "1,2,0,4"}, "--crop 1,2,0,4"},
+                    Refused{{"render", "model.obj", "--size", "20x10", "--crop", "15,0,6,5"},
+                            "--crop 15,0,6,5: the picture has 20 x 10 pixels"},
+                    Refused{{"render", "model.obj", "--crop", "4294967295,0,4294967295,1"},
+                            "--crop"},
+                    Refused{{"render", "--preview", "0"}, "--preview 0"},
+                    Refused{{"render", "--preview", "nan"}, "--preview nan"},
+                    Refused{{"render", "--preview", "inf"}, "--preview inf"},
+                    Refused{{"render", "--preview", "1", "-o", "-"}, "--preview: what was sent"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Materials, WrongUsage,
+    testing::Values(
+        Refused{{"render", "--mode", "whitted"}, "--mode whitted: the still life has no materials"},
+        Refused{{"render", "--mode", "albedo"}, "--mode albedo: the still life"},
+        Refused{{"render", "model.obj", "--mode", "whitted", "--samples", "4"}, "--supersampling"},
+        Refused{{"render", "model.obj", "--ray-depth", "3"}, "--ray-depth: only --mode whitted"},
+        Refused{{"render", "model.obj", "--supersampling", "3"}, "--supersampling: only"},
+        Refused{{"render", "model.obj", "--threshold", "0.1"}, "--threshold: only"},
+        Refused{{"render", "model.obj", "--no-shadows"}, "--no-shadows: only"},
+        Refused{{"render", "model.obj", "--flat"}, "--flat: only"},
+        Refused{{"render", "--mode", "whitted", "--ray-depth", "65"}, "--ray-depth 65"},
+        Refused{{"render", "--mode", "whitted", "--supersampling", "0"}, "--supersampling 0"},
+        Refused{{"render", "--mode", "whitted", "--threshold", "1.5"}, "--threshold 1.5"},
+        Refused{{"render", "--mode", "whitted", "--threshold", "nan"}, "--threshold nan"},
+        Refused{{"render", "--mode", "whitted", "--background", "a.png"}, "1 instead of 6"},
+        Refused{{"render", "--mode", "whitted", "--background", "a,b,c,,e,f"}, "a name is empty"}));
 
 INSTANTIATE_TEST_SUITE_P(Choices, WrongUsage,
                          testing::Values(Refused{{"render", "--mode", "photo"}, "--mode photo"},

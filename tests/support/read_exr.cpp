@@ -39,6 +39,10 @@ ExrFile contents(Imf::InputFile& input) {
   const Imath::Box2i window = header.dataWindow();
   ExrFile file{.width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1),
                .height = static_cast<std::uint32_t>(window.max.y - window.min.y + 1),
+               .firstX = window.min.x,
+               .firstY = window.min.y,
+               .wholeWidth = static_cast<std::uint32_t>(header.displayWindow().max.x + 1),
+               .wholeHeight = static_cast<std::uint32_t>(header.displayWindow().max.y + 1),
                .channels = {},
                .texts = {}};
   Imf::FrameBuffer frame;
@@ -47,8 +51,7 @@ ExrFile contents(Imf::InputFile& input) {
     read.isHalf = channel.channel().type == Imf::HALF;
     read.values.resize(std::size_t{file.width} * file.height);
     // OpenEXR turns halves into floats, which is exact.
-    frame.insert(channel.name(), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(read.values.data()),
-                                            sizeof(float), sizeof(float) * file.width));
+    frame.insert(channel.name(), Imf::Slice::Make(Imf::FLOAT, read.values.data(), window));
   }
   input.setFrameBuffer(frame);
   input.readPixels(window.min.y, window.max.y);

@@ -18,6 +18,11 @@ struct ExrChannel {
 struct ExrFile {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
+  /// Where its first pixel is in the picture that it is a part of, and how large that is.
+  int firstX = 0;
+  int firstY = 0;
+  std::uint32_t wholeWidth = 0;
+  std::uint32_t wholeHeight = 0;
   std::map<std::string, ExrChannel> channels;
   std::map<std::string, std::string> texts;  ///< its string attributes
 };

@@ -136,6 +136,8 @@ void checkOptionsAgree(const RenderCommand& command) {
   const bool isScene = wantsScene(command);
   if (command.mode || !isScene)
     checkModeOptions(command, modeFor(command, false));
+  if (command.size.height || !isScene)
+    checkCrop(command, chosenSize(command, kUsualAspect));
   if (!command.model &&
       (command.mode == RenderMode::Whitted || command.mode == RenderMode::Albedo)) {
     throw UsageError(

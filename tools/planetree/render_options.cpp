@@ -45,10 +45,10 @@ Examples:
       a model with z up, larger and smoother
   planetree render room.ply --camera -15,-9,0.5,10,-7,-1,70
       from the eye (-15, -9, 0.5) toward (10, -7, -1), 70 degrees
-  planetree render balls.ray --size 1200 --preview 5
+  planetree render spheres.ray --size 1200 --preview 5
       a scene with its materials and lights; the file is there early, and gets
       better every five seconds
-  planetree render balls.ray --crop 300,200,64,64 --supersampling 16
+  planetree render spheres.ray --crop 300,200,64,64 --supersampling 16
       a small part of the same picture, in pixels, smoother
   planetree render bunny.obj --quiet -o - | display
       the PNG on standard output
