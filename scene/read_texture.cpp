@@ -25,6 +25,16 @@ bool beginsLikeImage(std::span<const std::byte> bytes) noexcept {
   return text.starts_with("\x89PNG") || text.starts_with("\xFF\xD8\xFF") || text.starts_with("BM");
 }
 
+/// The texels that so many bytes can hold at most. Deflate makes a byte of PNG 1032 bytes, each of
+/// them eight texels of black and white; JPEG has a bit for each 8 x 8 texels at least. Compressed
+/// TGA stays below that, and BMP is not compressed.
+std::uint64_t mostTexelsIn(std::span<const std::byte> bytes) noexcept {
+  constexpr std::uint64_t kPerByteOfPng = 8 * 1032;
+  constexpr std::uint64_t kPerByteOfOthers = 512;
+  const bool isPng = !bytes.empty() && bytes[0] == std::byte{0x89};
+  return (isPng ? kPerByteOfPng : kPerByteOfOthers) * bytes.size();
+}
+
 }  // namespace
 
 Texture readTexture(const std::filesystem::path& path) {
@@ -58,6 +68,13 @@ Texture readTexture(std::span<const std::byte> bytes, const std::string& name) {
                  "the image is too large, " + std::to_string(size->width) + " x " +
                      std::to_string(size->height) + " texels",
                  "Make it smaller: up to 134217728 texels are read", name);
+  }
+  // stb_image takes what is missing at the end of some files for black.
+  if (std::uint64_t{size->width} * size->height > mostTexelsIn(bytes)) {
+    throw failed(ErrorCode::MalformedFile,
+                 "the image is to have " + std::to_string(size->width) + " x " +
+                     std::to_string(size->height) + " texels, but too few bytes for that",
+                 "The file is truncated or damaged: copy or save it again", name);
   }
   const detail::DecodedImage image = detail::decodeImage(bytes, *size);
   if (!image.texels) {

@@ -1,5 +1,7 @@
 #include "scene/stb_image.hpp"
 
+#include "scene/jpeg_guard.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -121,6 +123,29 @@ std::size_t memoryLimit(std::size_t fileSize, const ImageSize& size) noexcept {
   return kOverhead + 8 * fileSize + kBytesForTexel * (size.width + kBlock) * (size.height + kBlock);
 }
 
+/// A file that stb_image can be shown: itself, or if it is a JPEG one, its guarded copy.
+class SafeBytes {
+ public:
+  explicit SafeBytes(std::span<const std::byte> bytes) : bytes_(bytes) {
+    if (!isJpeg(bytes))
+      return;
+    copy_ = guardedJpeg(bytes);
+    isSafe_ = copy_.has_value();
+    if (isSafe_)
+      bytes_ = *copy_;
+  }
+  SafeBytes(const SafeBytes&) = delete;
+  SafeBytes& operator=(const SafeBytes&) = delete;
+
+  [[nodiscard]] bool isSafe() const noexcept { return isSafe_; }
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return bytes_; }
+
+ private:
+  std::optional<std::vector<std::byte>> copy_;
+  std::span<const std::byte> bytes_;
+  bool isSafe_ = true;
+};
+
 const stbi_uc* bytesOf(std::span<const std::byte> bytes) noexcept {
   return reinterpret_cast<const stbi_uc*>(bytes.data());
 }
@@ -133,13 +158,16 @@ std::string failureReason() {
 }  // namespace
 
 std::optional<ImageSize> readImageSize(std::span<const std::byte> bytes) {
+  const SafeBytes safe(bytes);
+  if (!safe.isSafe())
+    return std::nullopt;
   DecoderMemory memory(kOverhead);
   int width = 0;
   int height = 0;
   int channels = 0;
   try {
-    if (!stbi_info_from_memory(bytesOf(bytes), static_cast<int>(bytes.size()), &width, &height,
-                               &channels))
+    if (!stbi_info_from_memory(bytesOf(safe.bytes()), static_cast<int>(safe.bytes().size()), &width,
+                               &height, &channels))
       return std::nullopt;
   } catch (const std::logic_error&) {
     return std::nullopt;
@@ -151,14 +179,17 @@ std::optional<ImageSize> readImageSize(std::span<const std::byte> bytes) {
 
 DecodedImage decodeImage(std::span<const std::byte> bytes, const ImageSize& size) {
   constexpr int kChannels = 3;
+  const SafeBytes safe(bytes);
+  if (!safe.isSafe())
+    return {nullptr, "it is a damaged JPEG file"};
   DecoderMemory memory(memoryLimit(bytes.size(), size));
   int width = 0;
   int height = 0;
   int channels = 0;
   const stbi_uc* texels = nullptr;
   try {
-    texels = stbi_load_from_memory(bytesOf(bytes), static_cast<int>(bytes.size()), &width, &height,
-                                   &channels, kChannels);
+    texels = stbi_load_from_memory(bytesOf(safe.bytes()), static_cast<int>(safe.bytes().size()),
+                                   &width, &height, &channels, kChannels);
   } catch (const std::logic_error& error) {
     return {nullptr, error.what()};
   }
