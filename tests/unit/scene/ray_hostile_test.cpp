@@ -150,7 +150,8 @@ TEST(RayHostile, TenThousandFacesAreReadInAnInstant) {
   const std::string text = hills(71);
   const auto begin = std::chrono::steady_clock::now();
   const auto scene = readStatements(text);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  [[maybe_unused]] const std::chrono::duration<double> seconds =
+      std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(std::get<std::shared_ptr<const scene::MeshShape>>(scene.shapes[0].shape)->faces.size(),
             2u * 71 * 71);
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
