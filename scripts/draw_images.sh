@@ -22,4 +22,10 @@ draw bunny-cells "$bunny" --size 640x480 --show-cells 9
 draw still-life-heat --size 420x280 --mode heat --heat-max 120
 draw still-life-heat-large-leaves --size 420x280 --mode heat --heat-max 120 --leaf-size 16
 draw still-life-heat-cells --size 640x423 --mode heat --show-cells 8
+# The scenes of the repository.
+scene() { build/release/bin/planetree render --quiet --size 480 "data/scenes/$2" -o "docs/images/$1.png"; }
+scene spheres spheres.ray
+scene coloured-shadows coloured_shadows.ray
+scene forest forest.json
+scene textures textures.ray
 say "drew the pictures in docs/images"
