@@ -108,7 +108,8 @@ LeakCounts soaked(const KdTree<Face<T>>& tree, const PlacedSolid<T>& solid) {
 TYPED_TEST(ClosedSolids, LeakWhereAFaceIsMissing) {
   using T = TypeParam;
   for (const PlacedSolid<T>& solid : placedSolids<T>()) {
-    if (solid.placement != "unit")
+    // Not the large ones: every face of the others is aimed at.
+    if (solid.placement != "unit" || solid.mesh.faces.size() > 1100)
       continue;
     EXPECT_EQ(soaked(buildTree(solid.mesh.view()), solid).leaks(), 0u) << solid.name;
     TriangleMesh<T> open = solid.mesh;
