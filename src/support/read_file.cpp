@@ -60,6 +60,14 @@ std::size_t firstCapacity(const std::filesystem::path& path) {
   return failed ? kUnknownSize : std::max(static_cast<std::size_t>(size) + 1, kUnknownSize);
 }
 
+/// A terminal is read to its end, but a device like /dev/zero has none.
+constexpr std::size_t kMostOfDevice = std::size_t{64} * 1024 * 1024;
+
+Error endlessDevice(const std::filesystem::path& path) {
+  return {ErrorCode::FileNotReadable, "it is a device that gives 64 MiB or more",
+          "Copy what is wanted of it into a file", Error::Place{path.string()}};
+}
+
 void requireSame(const std::optional<FileState>& before, const FileHandle& file,
                  const std::filesystem::path& path) {
   if (stateOf(file.get()) != before) {
@@ -81,6 +89,8 @@ void requireReadable(const std::filesystem::path& path) {
 FileContent readFile(const std::filesystem::path& path) {
   const FileHandle file = openFile(path);
   const std::optional<FileState> before = stateOf(file.get());
+  std::error_code ignored;
+  const bool isDevice = std::filesystem::is_character_file(path, ignored);
   std::size_t capacity = firstCapacity(path);
   std::size_t size = 0;
   auto bytes = std::make_unique_for_overwrite<std::byte[]>(capacity);
@@ -93,6 +103,8 @@ FileContent readFile(const std::filesystem::path& path) {
       requireSame(before, file, path);
       return {std::move(bytes), size};
     }
+    if (isDevice && size >= kMostOfDevice)
+      throw endlessDevice(path);
     capacity *= 2;
     auto larger = std::make_unique_for_overwrite<std::byte[]>(capacity);
     std::copy_n(bytes.get(), size, larger.get());

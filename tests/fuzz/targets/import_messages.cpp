@@ -1,43 +1,20 @@
 #include "import/mesh_receiver.hpp"
 #include "import/message_reader.hpp"
 
-#include "support/byte_stream.hpp"
+#include "support/input_messages.hpp"
 #include "support/memory_file.hpp"
 #include "support/mesh_promises.hpp"
+#include "support/text_promises.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <string>
 #include <vector>
 
-// What a reading process may say if it has gone mad. The first byte of an input says whether the
-// greeting is part of the input or goes without saying.
+// What a reading process may say of a mesh.
 
 namespace planetree::fuzz {
 namespace {
 
 constexpr const char* kFile = "model.fbx";
-
-std::vector<std::byte> messagesOf(ByteStream input) {
-  std::vector<std::byte> bytes;
-  if (input.takeByte() != 0) {
-    const auto greeting = std::as_bytes(std::span(importing::kGreeting));
-    bytes.assign(greeting.begin(), greeting.end());
-  }
-  bytes.insert(bytes.end(), input.rest().begin(), input.rest().end());
-  return bytes;
-}
-
-void requireSoundTexts(const importing::ImportReport& report) {
-  require(report.remarks.size() <= report.remarkCount, "remarks that are kept are counted");
-  std::vector<std::string> texts = report.remarks;
-  texts.push_back(report.formatName);
-  for (const std::string& text : texts) {
-    require(std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < '\x7F'; }),
-            "texts from outside have no control characters");
-    require(text.size() < 400, "texts from outside are short");
-  }
-}
 
 /// Whether there is a mesh; else there were no clear messages, or such as tell of a failure.
 template <class T>
