@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -75,6 +77,18 @@ bool isZero(const Vec3d& v) noexcept {
   return v == Vec3d{0, 0, 0};
 }
 
+/// The images that a material takes values from.
+std::array<std::optional<std::uint32_t>, 8> texturesOf(const Material& material) noexcept {
+  return {material.emissive.texture, material.ambient.texture,    material.diffuse.texture,
+          material.specular.texture, material.reflective.texture, material.transmissive.texture,
+          material.index.texture,    material.shininess.texture};
+}
+
+bool hasTexture(const Material& material) noexcept {
+  return std::ranges::any_of(texturesOf(material),
+                             [](const auto& texture) { return texture.has_value(); });
+}
+
 /// Readers keep this; a description made by hand may not.
 void checkReferences(const SceneDescription& scene) {
   const auto check = [](bool isRight, const std::string& problem) {
@@ -84,14 +98,8 @@ void checkReferences(const SceneDescription& scene) {
   const auto checkTexture = [&](const std::optional<std::uint32_t>& texture) {
     check(!texture || *texture < scene.textures.size(), "a material names a missing texture");
   };
-  for (const Material& material : scene.materials) {
-    for (const ColourSource* source :
-         {&material.emissive, &material.ambient, &material.diffuse, &material.specular,
-          &material.reflective, &material.transmissive})
-      checkTexture(source->texture);
-    checkTexture(material.index.texture);
-    checkTexture(material.shininess.texture);
-  }
+  for (const Material& material : scene.materials)
+    std::ranges::for_each(texturesOf(material), checkTexture);
   if (scene.background) {
     for (const std::uint32_t texture : scene.background->textures)
       checkTexture(texture);
@@ -125,6 +133,7 @@ struct BuiltScene::Parts {
   SceneDescription description;
   std::vector<ShapeGroup> groups;
   KdTree<AnyObject<float>> tree;
+  std::vector<bool> isTextured;  ///< for each material
   bool hasTransparency = false;
 
   [[nodiscard]] const PlacedShape& shapeAt(const Hitf& hit) const noexcept {
@@ -166,50 +175,59 @@ bool isTwoSided(const PlacedShape& shape) noexcept {
   return std::holds_alternative<UnitSquare>(shape.shape);
 }
 
-SurfaceMaterial meshMaterial(const PlacedShape& shape, const MeshShape& mesh, const Hitf& hit) {
-  SurfaceMaterial surface;
-  surface.materials.fill(shape.material);
-  const FaceIndices& face = mesh.faces[hit.primitive];
+TexturePlace placeOnMesh(const PlacedShape& shape, const MeshShape& mesh,
+                         const Hitf& hit) noexcept {
+  TexturePlace place;
+  if (mesh.coordinates.empty())
+    return place;
   const std::array<double, 3> weights = cornerWeights(shape, hit);
-  if (!mesh.faceMaterials.empty())
-    surface.materials.fill(mesh.faceMaterials[hit.primitive]);
-  if (!mesh.vertexMaterials.empty()) {
-    for (std::size_t i = 0; i < 3; ++i)
-      surface.materials[i] = mesh.vertexMaterials[face[i]];
-    surface.weights = weights;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::array<double, 2>& corner = mesh.coordinates[mesh.faces[hit.primitive][i]];
+    place.u += weights[i] * corner[0];
+    place.v += weights[i] * corner[1];
   }
-  if (!mesh.coordinates.empty()) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      surface.place.u += weights[i] * mesh.coordinates[face[i]][0];
-      surface.place.v += weights[i] * mesh.coordinates[face[i]][1];
-    }
+  return place;
+}
+
+TexturePlace placeOn(const PlacedShape& shape, const Rayf& ray, const Hitf& hit) noexcept {
+  if (const MeshShape* mesh = meshOf(shape))
+    return placeOnMesh(shape, *mesh, hit);
+  TexturePlace place{static_cast<double>(hit.u), static_cast<double>(hit.v)};
+  if (std::holds_alternative<UnitSquare>(shape.shape))
+    return place;
+  // The other parameters of a hit are those of the placed shape, which may have been turned.
+  const Vec3d local = shape.placement.inverse().value_or(Affine()).point(positionOf(ray, hit));
+  if (std::holds_alternative<UnitBox>(shape.shape)) {
+    const BoxPlace onBox = placeOnUnitBox(local, hit.primitive);
+    return {onBox.u, onBox.v};
   }
-  return surface;
+  constexpr double kTurn = 6.283185307179586;
+  const double longitude = std::atan2(local.y, local.x) / kTurn;
+  place.u = longitude < 0.0 ? longitude + 1.0 : longitude;
+  if (std::holds_alternative<UnitSphere>(shape.shape))
+    place.v = std::atan2(std::hypot(local.x, local.y), -local.z) / (kTurn / 2);
+  return place;
 }
 
 }  // namespace
 
 SurfaceMaterial BuiltScene::Parts::surfaceMaterial(const PlacedShape& shape, const Rayf& ray,
                                                    const Hitf& hit) const {
-  if (const MeshShape* mesh = meshOf(shape))
-    return meshMaterial(shape, *mesh, hit);
   SurfaceMaterial surface;
-  surface.materials[0] = shape.material;
-  surface.place = {static_cast<double>(hit.u), static_cast<double>(hit.v)};
-  if (std::holds_alternative<UnitSquare>(shape.shape))
-    return surface;
-  // The other parameters of a hit are those of the placed shape, which may have been turned.
-  const Vec3d local = shape.placement.inverse().value_or(Affine()).point(positionOf(ray, hit));
-  if (std::holds_alternative<UnitBox>(shape.shape)) {
-    const BoxPlace place = placeOnUnitBox(local, hit.primitive);
-    surface.place = {place.u, place.v};
-    return surface;
+  surface.materials.fill(shape.material);
+  if (const MeshShape* mesh = meshOf(shape)) {
+    if (!mesh->faceMaterials.empty())
+      surface.materials.fill(mesh->faceMaterials[hit.primitive]);
+    if (!mesh->vertexMaterials.empty()) {
+      for (std::size_t i = 0; i < 3; ++i)
+        surface.materials[i] = mesh->vertexMaterials[mesh->faces[hit.primitive][i]];
+      surface.weights = cornerWeights(shape, hit);
+    }
   }
-  constexpr double kTurn = 6.283185307179586;
-  const double longitude = std::atan2(local.y, local.x) / kTurn;
-  surface.place.u = longitude < 0.0 ? longitude + 1.0 : longitude;
-  if (std::holds_alternative<UnitSphere>(shape.shape))
-    surface.place.v = std::atan2(std::hypot(local.x, local.y), -local.z) / (kTurn / 2);
+  // Only images ask where on a surface they are, and on a sphere the answer takes a while.
+  if (std::ranges::any_of(surface.materials,
+                          [&](std::uint32_t material) { return isTextured[material]; }))
+    surface.place = placeOn(shape, ray, hit);
   return surface;
 }
 
@@ -243,6 +261,8 @@ BuiltScene::BuiltScene(SceneDescription description, const BuildOptions& options
   auto parts = std::make_unique<Parts>();
   parts->tree = buildTree(shapes.scene, options, control);
   parts->groups = std::move(shapes.groups);
+  for (const Material& material : description.materials)
+    parts->isTextured.push_back(hasTexture(material));
   parts->hasTransparency = std::ranges::any_of(description.materials, [](const Material& material) {
     return material.transmissive.texture || !isZero(material.transmissive.value);
   });
