@@ -9,7 +9,7 @@ source scripts/packages.sh
 
 require_packages build
 say "building in build/release"
-cmake --preset release >/dev/null
-cmake --build build/release --parallel "$(nproc)" --target fault >/dev/null
+cmake --preset release >&2
+cmake --build build/release --parallel "$(nproc)" --target fault >&2
 say "trying every fault"
 PLANETREE_EVERY_FAULT=1 build/release/bin/fault --gtest_brief=1 "$@"
