@@ -51,10 +51,10 @@ TEST(RayScenes, KeywordsAreInTheDocumentation) {
   const std::string page =
       textOf(std::filesystem::path(PLANETREE_REPOSITORY) / "docs/ray_format.md");
   const auto expectExplained = [&](std::string_view word) {
-    const bool isThere = std::ranges::any_of(std::array{'`', ' ', '('},
-                                             [&, code = "`" + std::string(word)](char behind) {
-                                               return page.find(code + behind) != std::string::npos;
-                                             });
+    const std::string code = std::string("`").append(word);
+    const bool isThere = std::ranges::any_of(std::array{"`", " ", "("}, [&](const char* behind) {
+      return page.find(code + behind) != std::string::npos;
+    });
     EXPECT_TRUE(isThere) << word;
   };
   for (const BlockSyntax& block : kBlocks) {
