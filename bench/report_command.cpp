@@ -25,7 +25,7 @@ CLI::App* addReportCommand(CLI::App& app, ReportCommand& command) {
   report
       ->add_option(
           "json", command.json,
-          "Results of the rivals command; of what is in several files, the last one counts")
+          "Results of rivals and render; of what is in several files, the last one counts")
       ->required()
       ->type_name("FILE");
   report
