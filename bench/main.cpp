@@ -1,3 +1,4 @@
+#include "bench/render_command.hpp"
 #include "bench/report_command.hpp"
 #include "bench/rivals_command.hpp"
 #include "bench/scene_command.hpp"
@@ -22,6 +23,7 @@ constexpr const char* kExamples = R"(Examples:
   planetree-bench rivals bunny.obj                            rays, with all engines there are
   planetree-bench rivals --measure build --json b.json *.ply  build times, kept
   planetree-bench rivals --measure batch --threads 1,2 *.ply  many rays in one call
+  planetree-bench render scene.ray bunny.obj                  pictures, by numbers of threads
   planetree-bench scene terrain -o terrain.ply                a scene to measure with
 )";
 
@@ -30,9 +32,11 @@ int run(int argc, char** argv) {
   app.footer(kExamples);
   app.require_subcommand(1);
   RivalsCommand rivals;
+  RenderCommand render;
   SceneCommand scene;
   ReportCommand report;
   const CLI::App* const rivalsApp = addRivalsCommand(app, rivals);
+  const CLI::App* const renderApp = addRenderCommand(app, render);
   const CLI::App* const sceneApp = addSceneCommand(app, scene);
   addReportCommand(app, report);
 
@@ -45,6 +49,8 @@ int run(int argc, char** argv) {
   }
   if (rivalsApp->parsed())
     return runRivalsCommand(rivals);
+  if (renderApp->parsed())
+    return runRenderCommand(render);
   if (sceneApp->parsed())
     return runSceneCommand(scene);
   return runReportCommand(report);

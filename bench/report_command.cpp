@@ -23,9 +23,8 @@ CLI::App* addReportCommand(CLI::App& app, ReportCommand& command) {
   CLI::App* const report =
       app.add_subcommand("report", "Renew the figures and plots of docs/performance.md");
   report
-      ->add_option(
-          "json", command.json,
-          "Results of the rivals command; of what is in several files, the last one counts")
+      ->add_option("json", command.json,
+                   "Results of rivals and render; of what is in several files, the last one counts")
       ->required()
       ->type_name("FILE");
   report

@@ -10,6 +10,7 @@
 #include "bench/support/measure.hpp"
 #include "bench/support/small_batch_table.hpp"
 #include "bench/support/summary.hpp"
+#include "bench/support/talk.hpp"
 #include "bench/usage_error.hpp"
 
 #include <planetree/traversal/instruction_set.hpp>
@@ -31,10 +32,6 @@ namespace {
 /// `--quick`: enough to see whether everything works, and roughly what is fast.
 constexpr RayCounts kQuickRayCounts = {.pictureSize = 256, .randomCount = 65'536};
 constexpr std::size_t kQuickBruteForceTests = 40'000'000;
-
-void say(const std::string& line) {
-  fmt::print(stderr, "{}\n", line);
-}
 
 bool isNamed(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -83,20 +80,6 @@ void checkNames(const std::vector<std::filesystem::path>& scenes) {
       throw UsageError(fmt::format("two scenes are called {}", sceneName(scene)),
                        "Name one of them, or rename a file.");
     }
-  }
-}
-
-void warnOfUnfitMachine() {
-  if (buildType() != "Release") {
-    say(fmt::format("This is a {} build: its figures mean nothing. Use the preset `release`.",
-                    buildType()));
-  }
-  // The load of this process itself, starting, is not half a thread yet.
-  if (loadAverage() > 0.5) {
-    say(
-        fmt::format("The machine is busy ({:.1f} threads were running): trust only the ratios, or "
-                    "end what else runs.",
-                    loadAverage()));
   }
 }
 
@@ -249,8 +232,7 @@ std::vector<Result> measureScene(const RivalsCommand& command, const BenchScene&
 }
 
 std::string tables(const std::vector<Result>& results) {
-  std::string text = fmt::format("{}; {}; {}; commit {}\n", machine(), activeInstructionSet(),
-                                 compiler(), commit());
+  std::string text = headLine();
   for (const Summary& summary : summarise(withoutSmallBatches(results)))
     text += "\n" + toText(summary);
   for (const Table& table : comparisons(results))

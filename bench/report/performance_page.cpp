@@ -3,6 +3,7 @@
 #include "bench/report/bar_chart.hpp"
 #include "bench/scene/sized_scenes.hpp"
 #include "bench/support/comparisons.hpp"
+#include "bench/support/picture_tables.hpp"
 #include "bench/support/small_batch_table.hpp"
 #include "bench/support/summary.hpp"
 #include "bench/support/table.hpp"
@@ -167,7 +168,8 @@ PerformanceFigures performanceFigures(const std::vector<Result>& results,
   figures.markdown =
       fmt::format("Machine: {}. Compiler: {}. Commit: {}.\n", machine,
                   joined(results, &Result::compiler), joined(results, &Result::commit));
-  for (const Summary& summary : summarise(withoutSmallBatches(withoutSizedBuilds(results)))) {
+  for (const Summary& summary :
+       summarise(withoutPictures(withoutSmallBatches(withoutSizedBuilds(results))))) {
     figures.markdown +=
         fmt::format("\n### {}\n\n{}", sectionTitle(summary), markdownTable(summary));
     if (!isPlotted(summary))

@@ -3,6 +3,7 @@
 #include "bench/scene/sized_scenes.hpp"
 #include "bench/support/batch_tables.hpp"
 #include "bench/support/mean.hpp"
+#include "bench/support/picture_tables.hpp"
 #include "bench/support/small_batch_table.hpp"
 #include "bench/support/summary.hpp"
 
@@ -200,9 +201,10 @@ std::vector<Table> scalings(const std::vector<Result>& results) {
 }  // namespace
 
 std::vector<Table> comparisons(const std::vector<Result>& results) {
-  const std::vector<Summary> summaries = summarise(results);
+  const std::vector<Summary> summaries = summarise(withoutPictures(results));
   std::vector<Table> tables = {presets(summaries), smallBatchTable(summaries)};
-  for (auto& more : {batchTables(summaries), speedUps(summaries), scalings(results)})
+  for (auto& more :
+       {batchTables(summaries), speedUps(summaries), scalings(results), pictureTables(results)})
     tables.insert(tables.end(), more.begin(), more.end());
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   return tables;

@@ -24,8 +24,9 @@ class Mean {
   [[nodiscard]] std::string leastText() const {
     return isEmpty() ? kNotMeasured : ratioText(least_);
   }
-  /// There must be one number at least.
+  // Of these there must be one number at least.
   [[nodiscard]] double value() const { return std::exp(logSum_ / count_); }
+  [[nodiscard]] double least() const noexcept { return least_; }
   [[nodiscard]] bool isEmpty() const noexcept { return count_ == 0; }
 
  private:

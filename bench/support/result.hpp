@@ -20,11 +20,20 @@ inline constexpr std::string_view kNanosecondsOfABatch = "nanoseconds_of_a_batch
 inline constexpr std::string_view kNodeStepsPerRay = "node_steps_per_ray";
 inline constexpr std::string_view kBlockStepsPerRay = "block_steps_per_ray";
 
+// Of pictures: the parts of a run, and the rays of rendering. They say little on their own; see
+// picture_tables.hpp.
+inline constexpr std::string_view kPictureReadingSeconds = "picture_reading_seconds";
+inline constexpr std::string_view kPictureBuildingSeconds = "picture_building_seconds";
+inline constexpr std::string_view kPictureTracingSeconds = "picture_tracing_seconds";
+inline constexpr std::string_view kPictureShadingSeconds = "picture_shading_seconds";
+inline constexpr std::string_view kPictureEncodingSeconds = "picture_encoding_seconds";
+inline constexpr std::string_view kPictureRays = "picture_rays";
+
 /// One cell of the benchmark, as it stands in the JSON.
 struct Result {
   std::string scene;    ///< name of the file without folder and extension
   std::string measure;  ///< one of those above; of small batches with a number behind
-  std::string kind;     ///< of rays; empty where no rays are measured
+  std::string kind;     ///< of rays, or of picture; empty where there are none
   std::string engine;   ///< "planetree", "embree3", "cgal"
   std::string mode;     ///< "balanced-watertight", "high-robust"
   unsigned threadCount = 1;
@@ -48,6 +57,11 @@ inline constexpr std::array kSmallBatches = {std::size_t{1}, std::size_t{8}, std
 /// Whether it is one of the measures of small batches, which say little on their own.
 [[nodiscard]] inline bool isOfSmallBatches(std::string_view measure) {
   return measure == kNanosecondsOneByOne || measure.starts_with(kNanosecondsOfABatch);
+}
+
+/// Whether it is one of the measures of pictures, likewise.
+[[nodiscard]] inline bool isOfPictures(std::string_view measure) {
+  return measure.starts_with("picture_");
 }
 
 /// Whether more is better; otherwise less is.

@@ -11,9 +11,7 @@
 namespace planetree::scene::ray_format {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKeywords = {"position",   "viewdir", "updir",
-                                                       "quaternian", "fov",     "aspectratio"};
-constexpr BlockSyntax kSyntax = {"camera", kKeywords};
+constexpr const BlockSyntax& kSyntax = blockNamed("camera");
 
 /// Vectors of scenes have few digits; what is nearer than that to 1, or 0, is meant to be it.
 constexpr double kTolerance = 1e-2;

@@ -1,23 +1,14 @@
 #include "scene/ray_format/light_reader.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
 
 namespace planetree::scene::ray_format {
 namespace {
 
-constexpr std::array<std::string_view, 1> kAmbientKeywords = {"color"};
-constexpr BlockSyntax kAmbientSyntax = {"ambient_light", kAmbientKeywords, Repeats::Refused};
-
-constexpr std::array<std::string_view, 2> kDirectionalKeywords = {"direction", "color"};
-constexpr BlockSyntax kDirectionalSyntax = {"directional_light", kDirectionalKeywords,
-                                            Repeats::Refused};
-
-constexpr std::array<std::string_view, 5> kPointKeywords = {
-    "position", "color", "constant_attenuation_coeff", "linear_attenuation_coeff",
-    "quadratic_attenuation_coeff"};
-constexpr BlockSyntax kPointSyntax = {"point_light", kPointKeywords, Repeats::Refused};
+constexpr const BlockSyntax& kAmbientSyntax = blockNamed("ambient_light");
+constexpr const BlockSyntax& kDirectionalSyntax = blockNamed("directional_light");
+constexpr const BlockSyntax& kPointSyntax = blockNamed("point_light");
 
 Vec3d require(const TokenReader& tokens, const std::optional<Vec3d>& given, const Token& light,
               const std::string& keyword) {

@@ -11,10 +11,7 @@ namespace {
 
 using planetree::detail::quoted;
 
-constexpr std::array<std::string_view, 9> kKeywords = {"emissive", "ambient",    "diffuse",
-                                                       "specular", "reflective", "transmissive",
-                                                       "index",    "shininess",  "name"};
-constexpr BlockSyntax kSyntax = {"material", kKeywords};
+constexpr const BlockSyntax& kSyntax = blockNamed("material");
 
 /// A mapped shininess is this for white.
 constexpr double kLargestShininess = 128.0;
@@ -100,7 +97,7 @@ std::uint32_t MaterialReader::readBlock(TokenReader& tokens, std::uint32_t surro
 }
 
 ColourSource MaterialReader::readColour(TokenReader& tokens) {
-  if (tokens.peek().isWord("map"))
+  if (tokens.peek().isWord(kMap))
     return {{1, 1, 1}, readMap(tokens)};
   if (!tokens.peek().is('(')) {
     throw tokens.unexpected(tokens.peek(), "a colour or a map",
@@ -110,7 +107,7 @@ ColourSource MaterialReader::readColour(TokenReader& tokens) {
 }
 
 NumberSource MaterialReader::readNumber(TokenReader& tokens, double factorOfMap) {
-  if (tokens.peek().isWord("map"))
+  if (tokens.peek().isWord(kMap))
     return {factorOfMap, readMap(tokens)};
   if (tokens.peek().kind != TokenKind::Number) {
     throw tokens.unexpected(tokens.peek(), "a number or a map",

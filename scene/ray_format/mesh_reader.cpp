@@ -3,21 +3,14 @@
 #include "support/parse_number.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 
 namespace planetree::scene::ray_format {
-namespace {
-
-constexpr std::array<std::string_view, 8> kKeywords = {
-    "material", "name", "points", "faces", "normals", "materials", "gennormals", "texture_uv"};
-
-}  // namespace
 
 std::shared_ptr<const MeshShape> MeshReader::read(
     const Token& mesh, const std::function<bool(const Token&)>& readCommon) {
-  tokens_.block({mesh.text, kKeywords, Repeats::Refused}, [&](const Token& keyword) {
+  tokens_.block(blockNamed(mesh.text), [&](const Token& keyword) {
     if (!readCommon(keyword))
       readEntry(keyword);
   });

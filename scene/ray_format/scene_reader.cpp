@@ -17,11 +17,13 @@ constexpr double kNewestVersion = 1.1;
 /// Scenes made by hand or by programs stay far below; a level takes more memory than text.
 constexpr std::size_t kMostLevels = 1000;
 
-constexpr std::array<std::string_view, 16> kSceneKeywords = {
-    "camera",    "ambient_light", "point_light", "directional_light",
-    "material",  "sphere",        "box",         "square",
-    "cylinder",  "cone",          "trimesh",     "polymesh",
-    "translate", "rotate",        "scale",       "transform"};
+constexpr auto kSceneKeywords = [] {
+  std::array<std::string_view, kBlocks.size() + kTransformKeywords.size()> keywords;
+  const auto end = std::transform(kBlocks.begin(), kBlocks.end(), keywords.begin(),
+                                  [](const BlockSyntax& block) { return block.name; });
+  std::copy(kTransformKeywords.begin(), kTransformKeywords.end(), end);
+  return keywords;
+}();
 constexpr const char* kSceneAdvice =
     "A scene has cameras, lights, materials, shapes, transforms and groups in braces";
 constexpr const char* kGroupAdvice =

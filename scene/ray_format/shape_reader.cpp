@@ -7,10 +7,6 @@
 namespace planetree::scene::ray_format {
 namespace {
 
-constexpr std::array<std::string_view, 2> kPlainKeywords = {"material", "name"};
-constexpr std::array<std::string_view, 6> kConeKeywords = {
-    "material", "name", "capped", "height", "bottom_radius", "top_radius"};
-
 /// What every shape may have; false for other keywords.
 bool readCommon(TokenReader& tokens, const Token& keyword, MaterialReader& materials,
                 const Surroundings& surroundings, PlacedShape& placed) {
@@ -28,7 +24,7 @@ bool readCommon(TokenReader& tokens, const Token& keyword, MaterialReader& mater
 void readCone(TokenReader& tokens, const Token& cone, MaterialReader& materials,
               const Surroundings& surroundings, PlacedShape& placed) {
   ConeShape shape = {.height = 1.0, .bottomRadius = 1.0, .topRadius = 0.0, .isCapped = true};
-  tokens.block({cone.text, kConeKeywords}, [&](const Token& keyword) {
+  tokens.block(blockNamed(cone.text), [&](const Token& keyword) {
     if (readCommon(tokens, keyword, materials, surroundings, placed))
       return;
     if (keyword.text == "capped") {
@@ -76,7 +72,7 @@ PlacedShape readShape(TokenReader& tokens, const Token& keyword, MaterialReader&
   } else if (keyword.text == "cone") {
     readCone(tokens, keyword, materials, surroundings, placed);
   } else {
-    tokens.block({keyword.text, kPlainKeywords},
+    tokens.block(blockNamed(keyword.text),
                  [&](const Token& entry) { static_cast<void>(readCommonEntry(entry)); });
     placed.shape = plainShape(keyword.text);
   }

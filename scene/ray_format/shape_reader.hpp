@@ -4,14 +4,9 @@
 #include "scene/ray_format/token_reader.hpp"
 #include "scene/scene_description.hpp"
 
-#include <array>
 #include <cstdint>
-#include <string_view>
 
 namespace planetree::scene::ray_format {
-
-inline constexpr std::array<std::string_view, 7> kShapeKeywords = {
-    "sphere", "box", "square", "cylinder", "cone", "trimesh", "polymesh"};
 
 /// Where in the scene a shape, transform or group stands.
 struct Surroundings {

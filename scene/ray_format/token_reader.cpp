@@ -88,8 +88,8 @@ Vec3d TokenReader::vector() {
 }
 
 bool TokenReader::boolean() {
-  const bool isTrue = next_.isWord("true");
-  if (!isTrue && !next_.isWord("false"))
+  const bool isTrue = next_.isWord(kTrue);
+  if (!isTrue && !next_.isWord(kFalse))
     throw unexpected(next_, "true or false", "Write one of the two");
   take();
   return isTrue;
@@ -136,7 +136,7 @@ Token TokenReader::keyword(OpenBlock& block) {
   const BlockSyntax& syntax = block.syntax;
   for (std::size_t i = 0; i < syntax.keywords.size(); ++i) {
     const std::string_view known = syntax.keywords[i];
-    if (!next_.isWord(known) && !(known == "color" && next_.isWord("colour")))
+    if (next_.kind != TokenKind::Word || !isSpelling(next_.text, known))
       continue;
     Token keyword = take();
     keyword.text = known;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/ray_format/keywords.hpp"
 #include "scene/ray_format/lexer.hpp"
 #include "scene/ray_format/remarks.hpp"
 
@@ -7,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,22 +15,6 @@
 #include <vector>
 
 namespace planetree::scene::ray_format {
-
-/// What a keyword means that stands in a block for a second time.
-enum class Repeats : std::uint8_t {
-  Remarked,  ///< the later one counts
-  Refused,
-};
-
-/// Something between braces: what errors call it, and the keywords that may stand in it, at most
-/// `kMostKeywords`. "color" stands for "colour", too.
-struct BlockSyntax {
-  static constexpr std::size_t kMostKeywords = 16;
-
-  std::string_view name;  ///< "camera"
-  std::span<const std::string_view> keywords;
-  Repeats repeats = Repeats::Remarked;
-};
 
 /// Reads the parts that all statements are made of. What is not as expected is an `Error` with
 /// `MalformedFile` that names the place, what was expected and what was found.

@@ -1,6 +1,8 @@
 #include "scene/ray_format/transform_reader.hpp"
 
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace planetree::scene::ray_format {
 namespace {

@@ -3,13 +3,7 @@
 #include "scene/affine.hpp"
 #include "scene/ray_format/token_reader.hpp"
 
-#include <array>
-#include <string_view>
-
 namespace planetree::scene::ray_format {
-
-inline constexpr std::array<std::string_view, 4> kTransformKeywords = {"translate", "rotate",
-                                                                       "scale", "transform"};
 
 /// What stands behind a transform's keyword, up to the comma before what is transformed; applied
 /// inside `outer`. Singular transforms are errors. `keyword` must be one of `kTransformKeywords`.

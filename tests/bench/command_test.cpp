@@ -73,6 +73,27 @@ TEST_F(BenchCommand, RivalsMeasuresWithEachOfSeveralNumbersOfThreads) {
   EXPECT_EQ(results[1].threadCount, 2u);
 }
 
+TEST_F(BenchCommand, RenderMeasuresPicturesWithEachNumberOfThreads) {
+  writeFile("ball.ray",
+            "SBT-raytracer 1.0\nambient_light { color = (1, 1, 1); }\n"
+            "translate(0, 0, -4, sphere { material = { ambient = (1, 0, 0); }; })\n");
+  const auto result = run({"render", "--width", "16", "--repetitions", "1", "--threads", "1,2,1",
+                           "--json", "r.json", "ball.ray", "waves.ply"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  for (const char* said : {"rendering: milliseconds", "ball.ray, whitted", "waves.ply, ao",
+                           "trimesh-10k", "geometric mean", "encoding"})
+    EXPECT_TRUE(contains(result.out, said)) << said << result.out;
+  const auto results = resultsFromJson(readFile("r.json"), "r.json");
+  ASSERT_EQ(results.size(), 28u);
+  EXPECT_EQ(results[0].scene, "trimesh-10k");
+  EXPECT_EQ(results[0].objectCount, 10'000u);
+  EXPECT_EQ(results[4].scene, "ball.ray");
+  EXPECT_EQ(results[4].kind, "whitted");
+  EXPECT_EQ(results[10].threadCount, 2u);
+  EXPECT_EQ(results[27].scene, "waves.ply");
+  EXPECT_EQ(run({"render", "none.ray"}).status, 1);
+}
+
 TEST_F(BenchCommand, RivalsMeasuresBatches) {
   const auto result = rivals({"--measure", "batch", "--threads", "1,2", "--kinds", "primary,ao",
                               "--json", "b.json", "waves.ply"});

@@ -173,6 +173,20 @@ render::Framing framing(const RenderCommand& command) {
   return framing;
 }
 
+Subject makeSubject(const RenderCommand& command, const Talk& talk) {
+  const BuildSetup setup{.options = buildOptions(command.tree, command.run),
+                         .control = buildControl(command.run)};
+  if (!command.model)
+    return makeStillLifeSubject(setup, framing(command), talk);
+  if (!wantsScene(command))
+    return readModelSubject(*command.model, setup, framing(command), talk);
+  const auto check = [&command](const scene::SceneDescription& description) {
+    checkOptionsFit(command, description);
+  };
+  return readSceneSubject(*command.model, setup, framing(command), command.whitted.background, talk,
+                          check);
+}
+
 PicturePlan planPicture(const RenderCommand& command, const Subject& subject) {
   checkCellDepth(command, subject);
   PicturePlan plan;

@@ -39,6 +39,10 @@ void checkOptionsFit(const RenderCommand& command, const scene::SceneDescription
 /// How a subject without a camera is to be looked at.
 [[nodiscard]] render::Framing framing(const RenderCommand& command);
 
+/// What the command takes its picture of, in a tree. Throws `Error` if it cannot be read or has
+/// nothing to show, and `UsageError` if the options do not fit it.
+[[nodiscard]] Subject makeSubject(const RenderCommand& command, const Talk& talk);
+
 /// Throws `UsageError` if the crop window is not within the picture, or the tree has no cells to
 /// draw.
 [[nodiscard]] PicturePlan planPicture(const RenderCommand& command, const Subject& subject);

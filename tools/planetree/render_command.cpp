@@ -31,20 +31,6 @@ bool isJsonOnStandardError(const RenderCommand& command) {
   return command.run.isJson && isStandardOutput(command);
 }
 
-Subject makeSubject(const RenderCommand& command, const Talk& talk) {
-  const BuildSetup setup{.options = buildOptions(command.tree, command.run),
-                         .control = buildControl(command.run)};
-  if (!command.model)
-    return makeStillLifeSubject(setup, framing(command), talk);
-  if (!wantsScene(command))
-    return readModelSubject(*command.model, setup, framing(command), talk);
-  const auto check = [&command](const scene::SceneDescription& description) {
-    checkOptionsFit(command, description);
-  };
-  return readSceneSubject(*command.model, setup, framing(command), command.whitted.background, talk,
-                          check);
-}
-
 /// What has been made so far takes the place of what was made before. That it cannot be written is
 /// said in the end, if it is still so.
 void writePreview(const FinishedPicture& picture) try {

@@ -1,15 +1,16 @@
 #include "unit/scene/ray_text.hpp"
 
-#include "scene/ray_format/lexer.hpp"
+#include "scene/ray_format/keywords.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // The scenes of the repository, and the example in the documentation.
@@ -45,69 +46,25 @@ TEST(RayScenes, AreReadWithoutRemarks) {
   }
 }
 
-TEST(RayScenes, UseEveryKeyword) {
-  std::set<std::string, std::less<>> words;
-  for (const std::filesystem::path& path : scenePaths()) {
-    const std::string text = textOf(path);
-    const std::string name = path.string();
-    scene::ray_format::Lexer lexer(std::as_bytes(std::span(text)), name);
-    for (auto token = lexer.next(); token.kind != scene::ray_format::TokenKind::End;
-         token = lexer.next()) {
-      if (token.kind == scene::ray_format::TokenKind::Word)
-        words.emplace(token.text);
-    }
+TEST(RayScenes, KeywordsAreInTheDocumentation) {
+  using namespace scene::ray_format;
+  const std::string page =
+      textOf(std::filesystem::path(PLANETREE_REPOSITORY) / "docs/ray_format.md");
+  const auto expectExplained = [&](std::string_view word) {
+    const std::string code = std::string("`").append(word);
+    const bool isThere = std::ranges::any_of(std::array{"`", " ", "("}, [&](const char* behind) {
+      return page.find(code + behind) != std::string::npos;
+    });
+    EXPECT_TRUE(isThere) << word;
+  };
+  for (const BlockSyntax& block : kBlocks) {
+    expectExplained(block.name);
+    std::ranges::for_each(block.keywords, expectExplained);
   }
-  for (const std::string word : {"camera",
-                                 "position",
-                                 "viewdir",
-                                 "updir",
-                                 "quaternian",
-                                 "fov",
-                                 "aspectratio",
-                                 "ambient_light",
-                                 "directional_light",
-                                 "point_light",
-                                 "color",
-                                 "colour",
-                                 "direction",
-                                 "constant_attenuation_coeff",
-                                 "linear_attenuation_coeff",
-                                 "quadratic_attenuation_coeff",
-                                 "material",
-                                 "emissive",
-                                 "ambient",
-                                 "diffuse",
-                                 "specular",
-                                 "reflective",
-                                 "transmissive",
-                                 "index",
-                                 "shininess",
-                                 "name",
-                                 "map",
-                                 "sphere",
-                                 "box",
-                                 "square",
-                                 "cylinder",
-                                 "cone",
-                                 "capped",
-                                 "height",
-                                 "bottom_radius",
-                                 "top_radius",
-                                 "true",
-                                 "false",
-                                 "trimesh",
-                                 "polymesh",
-                                 "points",
-                                 "faces",
-                                 "normals",
-                                 "materials",
-                                 "gennormals",
-                                 "texture_uv",
-                                 "translate",
-                                 "rotate",
-                                 "scale",
-                                 "transform"})
-    EXPECT_TRUE(words.contains(word)) << word;
+  std::ranges::for_each(kTransformKeywords, expectExplained);
+  std::ranges::for_each(kValueWords, expectExplained);
+  for (const auto& [usual, other] : kOtherSpellings)
+    expectExplained(other);
 }
 
 TEST(RayScenes, OfTheDocumentationIsRead) {
