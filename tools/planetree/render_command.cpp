@@ -31,18 +31,12 @@ bool isJsonOnStandardError(const RenderCommand& command) {
   return command.run.isJson && isStandardOutput(command);
 }
 
-Subject makeSubject(const RenderCommand& command, const Talk& talk) {
-  const BuildSetup setup{.options = buildOptions(command.tree, command.run),
-                         .control = buildControl(command.run)};
-  if (!command.model)
-    return makeStillLifeSubject(setup, framing(command), talk);
-  if (!wantsScene(command))
-    return readModelSubject(*command.model, setup, framing(command), talk);
-  const auto check = [&command](const scene::SceneDescription& description) {
-    checkOptionsFit(command, description);
-  };
-  return readSceneSubject(*command.model, setup, framing(command), command.whitted.background, talk,
-                          check);
+Subject buildWithProgress(const RenderCommand& command, const SubjectSource& source,
+                          const Talk& talk) {
+  ProgressLine line("building the tree", talk.showsProgress());
+  BuildControl control = buildControl(command.run);
+  control.onProgress = [&line](const BuildProgress& progress) { line.update(progress.done); };
+  return source.build({.options = buildOptions(command.tree, command.run), .control = control});
 }
 
 /// What has been made so far takes the place of what was made before. That it cannot be written is
@@ -135,7 +129,10 @@ int runRenderCommand(const RenderCommand& command) {
   checkIsWritable(outputPath(command));
   // Talk beside the summary would keep programs from reading it.
   const Talk talk(command.run.isQuiet || isJsonOnStandardError(command));
-  return renderSubject(command, makeSubject(command, talk), talk);
+  const SubjectSourcePtr source = readSource(command, talk);
+  const Subject subject = buildWithProgress(command, *source, talk);
+  source->sayBuilt(talk, subject);
+  return renderSubject(command, subject, talk);
 }
 
 }  // namespace planetree::tool
