@@ -165,7 +165,7 @@ constexpr const char* kJsonScene = R"({
   "ambient_light": [0.5, 0.5, 0.5],
   "materials": {"red": {"diffuse": [0.5, 0, 0]}},
   "shapes": [{"type": "sphere", "material": "red", "position": [0, 1, 0]},
-             {"type": "box", "material": "red", "position": [1, 0, 0]}]
+             {"type": "sphere", "material": "red", "position": [1, 0, 0]}]
 })";
 
 TEST_F(Compare, ScenesAreDrawnWithTheirMaterialsAndTheirCamera) {

@@ -13,7 +13,10 @@ cd "$work"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >bunny.obj
 
 mapfile -t commands < <(awk '/^```/ { inside = /^```sh$/ } inside && /^planetree /' "$readme")
-mapfile -t -O "${#commands[@]}" commands < <(grep -oP '`\Kplanetree render data/[^`]+' "$readme")
+# Those of the captions are drawn small: that they run is what counts.
+# shellcheck disable=SC2016  # a backquote begins them in the README
+mapfile -t -O "${#commands[@]}" commands < <(grep -oP '`\Kplanetree render data/[^`]+' "$readme" |
+                                               sed 's/$/ --size 64/')
 ((${#commands[@]} > 0)) || { echo "FAILED: README.md shows no command of the tool"; exit 1; }
 for command in "${commands[@]}"; do
   echo "\$ $command"
