@@ -19,11 +19,24 @@ class Tracer {
  public:
   virtual ~Tracer() = default;
 
-  /// The nearest hit of each ray, default-made where it misses. Works in the caller's thread alone,
-  /// as tiles are shared among threads already.
-  [[nodiscard]] virtual std::vector<Hitf> findIntersections(std::span<const Rayf> rays) const = 0;
-  /// For each ray 1 if it hits anything, else 0; in the same thread, too.
-  [[nodiscard]] virtual std::vector<std::uint8_t> areOccluded(std::span<const Rayf> rays) const = 0;
+  /// The nearest hit of each ray, default-made where it misses, into as many `hits`; returns how
+  /// many there are. See trace_batch.hpp.
+  virtual std::size_t findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits,
+                                        const BatchOptions& options) const = 0;
+  /// For each ray 1 if it hits anything, else 0.
+  virtual std::size_t areOccluded(std::span<const Rayf> rays, std::span<std::uint8_t> flags,
+                                  const BatchOptions& options) const = 0;
+  /// The same in the caller's thread alone: tiles are shared among threads already.
+  [[nodiscard]] std::vector<Hitf> findIntersections(std::span<const Rayf> rays) const {
+    std::vector<Hitf> hits(rays.size());
+    findIntersections(rays, hits, {.query = {}, .threadCount = 1});
+    return hits;
+  }
+  [[nodiscard]] std::vector<std::uint8_t> areOccluded(std::span<const Rayf> rays) const {
+    std::vector<std::uint8_t> flags(rays.size());
+    areOccluded(rays, flags, {.query = {}, .threadCount = 1});
+    return flags;
+  }
   /// The nearest hit of one ray; adds the work done to `steps`.
   [[nodiscard]] virtual std::optional<Hitf> findIntersection(const Rayf& ray,
                                                              StepCounts& steps) const noexcept = 0;
@@ -45,15 +58,15 @@ float > class TreeTracer final : public Tracer {
  public:
   explicit TreeTracer(KdTree<O> tree) : tree_(std::move(tree)) {}
 
-  [[nodiscard]] std::vector<Hitf> findIntersections(std::span<const Rayf> rays) const override {
-    std::vector<Hitf> hits(rays.size());
-    tree_.findIntersections(rays, hits, {.threadCount = 1});
-    return hits;
+  using Tracer::areOccluded;
+  using Tracer::findIntersections;
+  std::size_t findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits,
+                                const BatchOptions& options) const override {
+    return tree_.findIntersections(rays, hits, options);
   }
-  [[nodiscard]] std::vector<std::uint8_t> areOccluded(std::span<const Rayf> rays) const override {
-    std::vector<std::uint8_t> flags(rays.size());
-    tree_.areOccluded(rays, flags, {.threadCount = 1});
-    return flags;
+  std::size_t areOccluded(std::span<const Rayf> rays, std::span<std::uint8_t> flags,
+                          const BatchOptions& options) const override {
+    return tree_.areOccluded(rays, flags, options);
   }
   [[nodiscard]] std::optional<Hitf> findIntersection(const Rayf& ray,
                                                      StepCounts& steps) const noexcept override {

@@ -130,14 +130,14 @@ void checkReferences(const SceneDescription& scene) {
 }  // namespace
 
 struct BuiltScene::Parts {
-  SceneDescription description;
+  std::shared_ptr<const SceneDescription> description;
   std::vector<ShapeGroup> groups;
   KdTree<AnyObject<float>> tree;
   std::vector<bool> isTextured;  ///< for each material
   bool hasTransparency = false;
 
   [[nodiscard]] const PlacedShape& shapeAt(const Hitf& hit) const noexcept {
-    return description.shapes[groups[hit.geometry].shapeOf(hit.primitive)];
+    return description->shapes[groups[hit.geometry].shapeOf(hit.primitive)];
   }
   [[nodiscard]] SurfaceMaterial surfaceMaterial(const PlacedShape& shape, const Rayf& ray,
                                                 const Hitf& hit) const;
@@ -255,17 +255,23 @@ Vec3d BuiltScene::Parts::normal(const PlacedShape& shape, const Rayf& ray, const
 }
 
 BuiltScene::BuiltScene(SceneDescription description, const BuildOptions& options,
-                       const BuildControl& control) {
-  checkReferences(description);
-  GroupedShapes shapes = groupShapes(description);
+                       const BuildControl& control)
+    : BuiltScene(std::make_shared<const SceneDescription>(std::move(description)), options,
+                 control) {}
+
+BuiltScene::BuiltScene(std::shared_ptr<const SceneDescription> description,
+                       const BuildOptions& options, const BuildControl& control) {
+  checkReferences(*description);
+  GroupedShapes shapes = groupShapes(*description);
   auto parts = std::make_unique<Parts>();
   parts->tree = buildTree(shapes.scene, options, control);
   parts->groups = std::move(shapes.groups);
-  for (const Material& material : description.materials)
+  for (const Material& material : description->materials)
     parts->isTextured.push_back(hasTexture(material));
-  parts->hasTransparency = std::ranges::any_of(description.materials, [](const Material& material) {
-    return material.transmissive.texture || !isZero(material.transmissive.value);
-  });
+  parts->hasTransparency =
+      std::ranges::any_of(description->materials, [](const Material& material) {
+        return material.transmissive.texture || !isZero(material.transmissive.value);
+      });
   parts->description = std::move(description);
   parts_ = std::move(parts);
 }
@@ -279,7 +285,7 @@ const KdTree<AnyObject<float>>& BuiltScene::tree() const noexcept {
 }
 
 const SceneDescription& BuiltScene::description() const noexcept {
-  return parts_->description;
+  return *parts_->description;
 }
 
 SurfacePoint BuiltScene::surface(const Rayf& ray, const Hitf& hit, bool isSmooth) const {
@@ -288,9 +294,9 @@ SurfacePoint BuiltScene::surface(const Rayf& ray, const Hitf& hit, bool isSmooth
                      .normal = parts_->normal(shape, ray, hit, isSmooth),
                      .material = {}};
   const SurfaceMaterial surface = parts_->surfaceMaterial(shape, ray, hit);
-  const std::vector<Texture>& textures = parts_->description.textures;
+  const std::vector<Texture>& textures = parts_->description->textures;
   const auto sample = [&](std::size_t corner) {
-    const Material& material = parts_->description.materials[surface.materials[corner]];
+    const Material& material = parts_->description->materials[surface.materials[corner]];
     return sampled(material, textures, surface.place);
   };
   if (surface.weights[0] == 1.0) {
@@ -310,8 +316,8 @@ Vec3d BuiltScene::transmission(const Rayf& ray, const Hitf& hit) const {
   for (std::size_t i = 0; i < 3; ++i) {
     if (surface.weights[i] == 0.0)
       continue;
-    const Material& material = parts_->description.materials[surface.materials[i]];
-    sum = sum + colourAt(material.transmissive, parts_->description.textures, surface.place) *
+    const Material& material = parts_->description->materials[surface.materials[i]];
+    sum = sum + colourAt(material.transmissive, parts_->description->textures, surface.place) *
                     surface.weights[i];
   }
   return sum;
@@ -322,14 +328,14 @@ bool BuiltScene::hasTransparency() const noexcept {
 }
 
 Vec3d BuiltScene::background(const Vec3d& direction) const noexcept {
-  const auto& cube = parts_->description.background;
+  const auto& cube = parts_->description->background;
   if (!cube || isZero(direction))
     return {0, 0, 0};
   // Cube maps are left-handed: what one sees along -z is `posz`.
   const Vec3d d{direction.x, direction.y, -direction.z};
   const Vec3d size{std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)};
   const auto look = [&](std::size_t side, double right, double up, double depth) {
-    const Texture& texture = parts_->description.textures[cube->textures[side]];
+    const Texture& texture = parts_->description->textures[cube->textures[side]];
     return texture.clampedAt(0.5 + 0.5 * right / depth, 0.5 + 0.5 * up / depth);
   };
   if (size.x >= size.y && size.x >= size.z)

@@ -33,6 +33,9 @@ class BuiltScene {
   /// Throws as `buildTree` does.
   explicit BuiltScene(SceneDescription description, const BuildOptions& options = {},
                       const BuildControl& control = {});
+  /// The same for a description that several trees share; it must not be null.
+  explicit BuiltScene(std::shared_ptr<const SceneDescription> description,
+                      const BuildOptions& options = {}, const BuildControl& control = {});
   BuiltScene(BuiltScene&&) noexcept;
   BuiltScene& operator=(BuiltScene&&) noexcept;
   ~BuiltScene();

@@ -5,6 +5,7 @@
 #include "bench/support/interleaved.hpp"
 #include "bench/support/measure.hpp"
 #include "bench/support/summary.hpp"
+#include "tools/planetree/command_options.hpp"
 #include "tools/planetree/option_values.hpp"
 #include "tools/planetree/picture_file.hpp"
 #include "tools/planetree/picture_plan.hpp"
@@ -50,7 +51,9 @@ tool::RenderCommand commandFor(const std::filesystem::path& file, unsigned threa
 }
 
 PictureRun takePicture(const tool::RenderCommand& command) {
-  const tool::Subject subject = makeSubject(command, tool::Talk(command.run.isQuiet));
+  const tool::SubjectSourcePtr source = readSource(command, tool::Talk(command.run.isQuiet));
+  const tool::Subject subject = source->build(
+      {.options = buildOptions(command.tree, command.run), .control = buildControl(command.run)});
   const tool::PicturePlan plan = planPicture(command, subject);
   const render::Rendering rendering =
       renderImage(*subject.tracer, renderSettings(command, subject, plan));

@@ -16,14 +16,22 @@ Vec3f coveredAlbedo(const FilmSample& sample) noexcept {
   return srgbDecoded(sample.value / sample.coverage) * sample.coverage;
 }
 
-}  // namespace
-
-Vec3f diffuseColour(const scene::SurfacePoint& surface) noexcept {
-  const Vec3d& colour = surface.material.diffuse;
+Vec3f clampedColour(const Vec3d& colour) noexcept {
   const auto clamped = [](double channel) {
     return static_cast<float>(std::clamp(channel, 0.0, 1.0));
   };
   return {clamped(colour.x), clamped(colour.y), clamped(colour.z)};
+}
+
+}  // namespace
+
+Vec3f diffuseColour(const scene::SurfacePoint& surface) noexcept {
+  return clampedColour(surface.material.diffuse);
+}
+
+Vec3f passedOnColour(const scene::SurfacePoint& surface) noexcept {
+  const scene::MaterialSample& material = surface.material;
+  return clampedColour(material.diffuse + material.reflective + material.transmissive);
 }
 
 std::vector<FilmSample> Albedo::shade(RayCounter& tracer, CameraRays& camera) const {

@@ -11,6 +11,9 @@ namespace planetree::render {
 /// Materials hold what the screen is sent, see material.hpp; as light it is decoded.
 [[nodiscard]] Vec3f diffuseColour(const scene::SurfacePoint& surface) noexcept;
 
+/// The same with the light that it mirrors and lets through: glass is not black.
+[[nodiscard]] Vec3f passedOnColour(const scene::SurfacePoint& surface) noexcept;
+
 /// The diffuse colours of the surfaces, without any light. Measured is the same as a layer.
 class Albedo final : public Shading {
  public:

@@ -87,7 +87,7 @@ std::vector<Rayf> AmbientOcclusion::raysFromSurfaces(const CameraRays& camera,
 
 Vec3f AmbientOcclusion::albedo(const Rayf& ray, const Hitf& hit) const {
   if (scene_ != nullptr)
-    return srgbDecoded(diffuseColour(scene_->surface(ray, hit)));
+    return srgbDecoded(passedOnColour(scene_->surface(ray, hit)));
   return hit.geometry < albedos_.size() ? albedos_[hit.geometry] : kClay;
 }
 

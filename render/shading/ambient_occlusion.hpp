@@ -22,7 +22,7 @@ class AmbientOcclusion final : public Shading {
   /// those without one are the colour of clay.
   AmbientOcclusion(const Box3& bounds, const CameraAxes& axes, const Vec3f& up,
                    std::vector<Vec3f> albedos);
-  /// The same, in the diffuse colours of a scene, which must outlive the shading.
+  /// The same, in the colours of a scene, which must outlive the shading.
   AmbientOcclusion(const scene::BuiltScene& scene, const CameraAxes& axes, const Vec3f& up);
 
   [[nodiscard]] std::vector<FilmSample> shade(RayCounter& tracer,

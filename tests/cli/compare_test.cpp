@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,10 +26,18 @@ class Compare : public ToolTest {
   Compare() { writeFile("soup.obj", objOf(mesh_)); }
 
   /// Quick: a few rays, once.
-  [[nodiscard]] ToolResult compare(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(),
-                     {"compare", "soup.obj", "--rounds", "1", "--ray-picture", "32"});
+  [[nodiscard]] ToolResult compareSubject(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"compare", "--rounds", "1", "--ray-picture", "32"});
     return run(std::move(arguments));
+  }
+  [[nodiscard]] ToolResult compare(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "soup.obj");
+    return compareSubject(std::move(arguments));
+  }
+  [[nodiscard]] std::map<std::string, std::string> textsOfSheet() const {
+    const auto sheet = readPng(readFile("sheet.png"));
+    EXPECT_TRUE(sheet);
+    return sheet ? sheet->texts : std::map<std::string, std::string>();
   }
 
   TriangleMesh<float> mesh_ = randomMesh<float>(5, 500);
@@ -116,6 +126,89 @@ TEST_F(Compare, TheSheetHasTwoPicturesForEachPreset) {
   EXPECT_LE(rowHeight, 180u);
 }
 
+TEST_F(Compare, TheSheetSaysHowItWasMade) {
+  ASSERT_EQ(compare({"-o", "sheet.png", "--size", "40x30", "--samples", "2", "--heat-max", "50",
+                     "--presets", "fast,textbook"})
+                .status,
+            0);
+  const auto texts = textsOfSheet();
+  EXPECT_EQ(texts.at("Software").rfind("planetree ", 0), 0u);
+  EXPECT_EQ(texts.at("Model"), "soup.obj");
+  EXPECT_EQ(texts.at("Triangles"), "500");
+  EXPECT_EQ(texts.at("Mode"), "ao");
+  EXPECT_EQ(texts.at("Samples"), "2");
+  EXPECT_NE(texts.at("Tree Options of textbook").find("--face-cost 1"), std::string::npos);
+  EXPECT_NE(texts.at("Tree of fast").find(" split nodes, "), std::string::npos);
+  EXPECT_NE(texts.at("Range").find("pale yellow 50 "), std::string::npos) << texts.at("Range");
+
+  const std::string& command = texts.at("Command");
+  EXPECT_EQ(command.rfind("planetree compare soup.obj --mode ao --size 40x30 --samples 2 ", 0), 0u)
+      << command;
+  std::istringstream words(command);
+  std::vector<std::string> again{std::istream_iterator<std::string>(words), {}};
+  again.erase(again.begin());
+  ASSERT_EQ(run(again).status, 0) << command;
+  EXPECT_EQ(textsOfSheet(), texts) << "the command makes it again";
+}
+
+/// A mirroring sphere on a square, lit, with a camera whose pictures are wide.
+constexpr const char* kRayScene = R"(SBT-raytracer 1.0
+camera { position = (0, 1, 6); viewdir = (0, 0, -1); updir = (0, 1, 0); fov = 40; aspectratio = 2; }
+ambient_light { color = (0.3, 0.3, 0.3); }
+directional_light { direction = (0, -1, -1); color = (0.7, 0.7, 0.7); }
+translate(0, 1, 0, sphere { material = { diffuse = (0.5, 0, 0); reflective = (0.3, 0.3, 0.3); }; })
+rotate(1, 0, 0, -1.5708, scale(8, 8, 1, square { material = { diffuse = (0, 0.5, 0); }; }))
+)";
+
+constexpr const char* kJsonScene = R"({
+  "camera": {"position": [0, 1, 6], "look_at": [0, 1, 0], "fov": 40, "aspect_ratio": 2},
+  "ambient_light": [0.5, 0.5, 0.5],
+  "materials": {"red": {"diffuse": [0.5, 0, 0]}},
+  "shapes": [{"type": "sphere", "material": "red", "position": [0, 1, 0]},
+             {"type": "sphere", "material": "red", "position": [1, 0, 0]}]
+})";
+
+TEST_F(Compare, ScenesAreDrawnWithTheirMaterialsAndTheirCamera) {
+  writeFile("scene.ray", kRayScene);
+  writeFile("scene.json", kJsonScene);
+  for (const char* scene : {"scene.ray", "scene.json"}) {
+    const ToolResult result = compareSubject({scene, "-o", "sheet.png", "--size", "40", "--samples",
+                                              "1", "--ray-depth", "2", "--presets", "fast,high"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("scene"), std::string::npos);
+    EXPECT_NE(result.out.find(" (2 objects)\n"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("\n  objects "), std::string::npos) << result.out;
+    const auto texts = textsOfSheet();
+    EXPECT_EQ(texts.at("Objects"), "2");
+    EXPECT_EQ(texts.at("Mode"), "whitted");
+    EXPECT_NE(texts.at("Camera").find("look "), std::string::npos) << texts.at("Camera");
+    const std::string& command = texts.at("Command");
+    for (const char* part : {" --size 40x20 ", " --ray-depth 2 ", " --samples 1 "})
+      EXPECT_NE(command.find(part), std::string::npos) << command;
+  }
+}
+
+TEST_F(Compare, CostsOfScenesAreThoseOfTheirObjects) {
+  writeFile("scene.ray", kRayScene);
+  const ToolResult result =
+      compareSubject({"scene.ray", "--json", "--presets", "balanced,textbook"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json document = json::parse(result.out);
+  EXPECT_TRUE(document["mesh"].is_null());
+  EXPECT_EQ(document["scene"]["shape_count"], 2);
+  const json& balanced = document["presets"][0];
+  EXPECT_EQ(balanced["comparable_sah_cost"], balanced["tree"]["sah_cost"])
+      << "spheres and squares do not cost what faces do";
+}
+
+TEST_F(Compare, WithoutAModelItIsTheStillLife) {
+  const ToolResult result = compareSubject({"--presets", "fast", "-o", "sheet.png", "--size",
+                                            "40x30", "--samples", "1", "--show-cells", "3"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out.rfind("still life (", 0), 0u) << result.out;
+  EXPECT_NE(textsOfSheet().at("Command").find(" --show-cells 3 "), std::string::npos);
+}
+
 TEST_F(Compare, TheSheetMayGoToStandardOutput) {
   const ToolResult result =
       compare({"-o", "-", "--json", "--size", "40x30", "--samples", "1", "--presets", "fast"});
@@ -161,7 +254,6 @@ TEST_P(CompareRefusal, IsOneLineThatNamesTheCulprit) {
 INSTANTIATE_TEST_SUITE_P(
     Usage, CompareRefusal,
     testing::Values(
-        RefusedComparison{{}, 2, "MODEL"},
         RefusedComparison{{"soup.obj", "--presets", "quick"}, 2, "--presets quick"},
         RefusedComparison{{"soup.obj", "--presets", "fast,,high"}, 2, "--presets"},
         RefusedComparison{{"soup.obj", "--presets", "fast,"}, 2, "--presets"},
@@ -171,6 +263,9 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedComparison{{"soup.obj", "-o", "soup.obj"}, 2, "soup.obj"},
         RefusedComparison{{"soup.obj", "--heat-max", "9"}, 2, "--heat-max"},
         RefusedComparison{{"soup.obj", "-o", "a.png", "--size", "8192x8192"}, 2, "--size"},
+        RefusedComparison{{"soup.obj", "-o", "a.png", "--ray-depth", "2"}, 2, "--ray-depth"},
+        RefusedComparison{{"soup.obj", "-o", "a.png", "--show-cells", "60"}, 2, "--show-cells 60"},
+        RefusedComparison{{"--mode", "whitted"}, 2, "still life has no materials"},
         RefusedComparison{{"soup.obj", "-o", "no/folder.png"}, 1, "no/folder.png"},
         RefusedComparison{{"missing.obj"}, 1, "missing.obj"},
         RefusedComparison{{"points.obj"}, 1, "no triangles"},

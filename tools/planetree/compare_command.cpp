@@ -6,9 +6,14 @@
 #include "exit_status.hpp"
 #include "instruments/print_page.hpp"
 #include "json_text.hpp"
-#include "model.hpp"
 #include "output_file.hpp"
+#include "picture_file.hpp"
+#include "picture_metadata.hpp"
+#include "picture_plan.hpp"
 #include "progress_line.hpp"
+#include "ray_files/byte_source.hpp"
+#include "render_options.hpp"
+#include "subject.hpp"
 #include "talk.hpp"
 #include "usage_error.hpp"
 
@@ -16,14 +21,14 @@
 #include "render/render_image.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <string>
-#include <system_error>
-#include <utility>
 
 namespace planetree::tool {
 
@@ -31,16 +36,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMaxSamplesPerPixel = 65536;
 constexpr std::uint64_t kMaxRoundCount = 1000;
 constexpr std::uint64_t kMaxRayPictureSize = 4096;
 
+constexpr std::uint32_t kUsualWidth = 480;
 constexpr const char* kUsualPresets = "fast,balanced,high";
 
 constexpr const char* kFooter =
-    R"(The trees answer the same rays: a picture of the whole model (primary), from
-each of its hits a short one (ao), and rays from anywhere to anywhere in its
-bounds (random), all in batches. Presets take turns in every round, and the
+    R"(The trees answer the same rays: a picture of the subject (primary), from each
+of its hits a short one (ao), and rays from anywhere to anywhere in its bounds
+(random), all in batches. Presets take turns in every round, and the
 best of the rounds counts. The SAH cost is counted by the costs of the preset
 balanced for all of them.
 
@@ -49,6 +54,8 @@ Examples:
       a table of fast, balanced and high
   planetree compare bunny.obj --presets fast,textbook -o bunny-presets.png
       the two, and a sheet of pictures with the work of each ray
+  planetree compare spheres.ray -o spheres-presets.png
+      a scene with its materials and lights
   planetree compare bunny.obj --json | jq '.presets[].build_seconds'
       one figure of each for a script
 
@@ -74,105 +81,178 @@ std::vector<Preset> parsePresets(const OptionText& option) {
   return chosen;
 }
 
-void checkOutput(const CompareCommand& command) {
-  if (!command.output) {
-    if (command.heatMax)
-      throw UsageError("--heat-max: there is no picture to colour", "Add -o FILE.png.");
-    return;
-  }
-  const fs::path& output = *command.output;
-  if (output == kStandardOutput) {
-    if (::isatty(STDOUT_FILENO) != 0) {
-      throw UsageError("-o -: standard output is a terminal",
-                       "Send the picture to a file or a program: -o - > presets.png.");
-    }
-  } else if (lowerCaseExtension(output) != ".png") {
-    throw UsageError(fmt::format("-o {}: contact sheets are PNG files", output.string()),
-                     "Give a name that ends in .png.");
-  }
-  std::error_code missing;
-  if (fs::equivalent(command.model, output, missing)) {
-    throw UsageError(fmt::format("-o {}: that is the model", output.string()),
-                     "Give the picture another name.");
-  }
-  checkIsWritable(output);
-  // Two pictures in each row.
-  const std::uint64_t pixelCount = 2 * command.presets.size() * command.size.pixelCount();
-  if (pixelCount > kMaxPixelCount) {
+bool hasSheet(const CompareCommand& command) {
+  return command.picture.output.has_value();
+}
+
+/// Two pictures in each row.
+void checkSheetSize(const CompareCommand& command, const render::ImageSize& size) {
+  if (2 * command.presets.size() * size.pixelCount() > kMaxPixelCount) {
     throw UsageError(
         "--size: the sheet would be too large",
         fmt::format("Ask for smaller pictures: {} pixels in all are the most.", kMaxPixelCount));
   }
 }
 
-render::Camera cameraFor(const Model<float>& model, render::UpAxis up, double aspect) {
-  return render::frameCamera(render::visiblePoints(model.mesh.view()), {.up = up, .aspect = aspect})
-      .value_or(render::Camera{});
+void checkOutput(const CompareCommand& command) {
+  const RenderCommand& picture = command.picture;
+  if (!picture.output) {
+    if (picture.heatMax)
+      throw UsageError("--heat-max: there is no picture to colour", "Add -o FILE.png.");
+    return;
+  }
+  const fs::path& output = *picture.output;
+  if (!isStandardOutput(picture) && lowerCaseExtension(output) != ".png") {
+    throw UsageError(fmt::format("-o {}: contact sheets are PNG files", output.string()),
+                     "Give a name that ends in .png.");
+  }
+  checkOutputName(picture);
+  checkIsWritable(output);
+  if (picture.size.height)
+    checkSheetSize(command, {picture.size.width, *picture.size.height});
 }
 
-void buildAll(const CompareCommand& command, const Model<float>& model, const Talk& talk,
+/// The picture of a row without what is about the heat beside it.
+RenderCommand pictureWithoutHeat(const CompareCommand& command) {
+  RenderCommand picture = command.picture;
+  picture.samplesPerPixel.reset();
+  picture.heatMax.reset();
+  return picture;
+}
+
+/// The pictures of a row, once it is known what they show.
+struct RowPlan {
+  RenderCommand picture;
+  PicturePlan plan;
+  render::RenderSettings heat;
+};
+
+RowPlan planRow(const CompareCommand& command, const Subject& subject) {
+  RowPlan row{.picture = pictureWithoutHeat(command), .plan = {}, .heat = {}};
+  row.plan = planPicture(row.picture, subject);
+  if (row.plan.mode != render::RenderMode::Whitted)
+    row.picture.samplesPerPixel = command.picture.samplesPerPixel;
+  RenderCommand heat = command.picture;
+  heat.cellDepth.reset();
+  PicturePlan heatPlan = row.plan;
+  heatPlan.mode = render::RenderMode::Heat;
+  row.heat = renderSettings(heat, subject, heatPlan);
+  return row;
+}
+
+render::PinholeCamera cameraOf(const PicturePlan& plan) {
+  if (plan.view)
+    return render::PinholeCamera(*plan.view);
+  return {plan.camera, static_cast<double>(plan.size.width) / plan.size.height};
+}
+
+Subject buildPreset(const CompareCommand& command, const SubjectSource& source,
+                    const BuildOptions& preset,
+                    const std::function<void(const BuildProgress&)>& onProgress) {
+  BuildOptions options = preset;
+  options.threadCount = command.picture.run.threadCount;
+  BuildControl control = buildControl(command.picture.run);
+  control.onProgress = onProgress;
+  return source.build({.options = options, .control = control});
+}
+
+/// What the preset balanced takes an object for, which depends on what else is in the tree: a tree
+/// of one leaf costs what its objects cost.
+double objectCost(const CompareCommand& command, const SubjectSource& source) {
+  BuildOptions options;
+  options.depthLimit = 1;
+  const TreeStatistics leaf = buildPreset(command, source, options, {}).statistics;
+  const auto count = static_cast<double>(std::max<std::uint64_t>(leaf.referenceCount, 1));
+  const double between = (options.cost.faceCost + options.cost.intersectionCost) / 2.0;
+  return leaf.sahCost / count < between ? options.cost.faceCost : options.cost.intersectionCost;
+}
+
+void buildAll(const CompareCommand& command, const SubjectSource& source, const Talk& talk,
               PresetComparison& comparison) {
   ProgressLine progress("building trees", talk.showsProgress());
   std::vector<std::string> names;
   for (const Preset& preset : command.presets)
     names.emplace_back(preset.first);
   comparison.build(names, [&](std::size_t i) {
-    BuildOptions options = command.presets[i].second;
-    options.threadCount = command.run.threadCount;
-    BuildControl control = buildControl(command.run);
-    control.onProgress = [&](const BuildProgress& build) {
-      progress.update((static_cast<double>(i) + build.done) / static_cast<double>(names.size()));
-    };
-    auto tree = buildTree(model.mesh.view(), options, control);
-    requireHittable(tree.report(), model.name);
-    return tree;
+    return buildPreset(command, source, command.presets[i].second,
+                       [&, i](const BuildProgress& build) {
+                         progress.update((static_cast<double>(i) + build.done) /
+                                         static_cast<double>(names.size()));
+                       });
   });
 }
 
-render::Rendering rendered(const CompareCommand& command, const KdTree<Face<float>>& tree,
-                           const render::Camera& camera, render::RenderMode mode) {
-  return renderImage(render::TreeTracer<Face<float>>(tree),
-                     {.size = command.size,
-                      .camera = camera,
-                      .mode = mode,
-                      .samplesPerPixel = command.samplesPerPixel,
-                      .threadCount = command.run.threadCount});
+/// What makes the sheet again, beside the view.
+std::string sheetArguments(const CompareCommand& command, const RowPlan& row) {
+  std::string names;
+  for (const Preset& preset : command.presets)
+    names += fmt::format("{}{}", names.empty() ? "" : ",", preset.first);
+  const RenderCommand& picture = command.picture;
+  std::string text;
+  // In other modes the view has them.
+  if (row.plan.mode == render::RenderMode::Whitted)
+    text += fmt::format(" --samples {}", row.heat.samplesPerPixel);
+  if (picture.heatMax)
+    text += fmt::format(" --heat-max {}", *picture.heatMax);
+  return text + fmt::format(" --presets {} --rounds {} --ray-picture {} -o {}", names,
+                            command.roundCount, command.rayPictureSize,
+                            shellWord(picture.output->string()));
 }
 
-void writeSheet(const CompareCommand& command, const Model<float>& model,
-                const ComparedModel& compared, const std::vector<PresetFigures>& figures,
-                const Talk& talk) {
-  const double aspect = static_cast<double>(command.size.width) / command.size.height;
-  const render::Camera camera = cameraFor(model, command.up, aspect);
+void writeSheet(const CompareCommand& command, const ComparedModel& compared,
+                const std::vector<PresetFigures>& figures, const Talk& talk) {
   std::vector<SheetRow> rows;
+  std::vector<SheetTree> trees;
+  std::optional<RowPlan> first;
   {
     ProgressLine progress("rendering", talk.showsProgress());
     for (const PresetFigures& preset : figures) {
+      const Subject& subject = preset.subject;
+      const RowPlan row = planRow(command, subject);
       rows.push_back(
           {.title = preset.name,
            .figures = figuresLine(compared, preset),
-           .picture = rendered(command, preset.tree, camera, render::RenderMode::AmbientOcclusion),
-           .heat = rendered(command, preset.tree, camera, render::RenderMode::Heat)});
+           .picture = renderImage(*subject.tracer, renderSettings(row.picture, subject, row.plan)),
+           .heat = renderImage(*subject.tracer, row.heat)});
+      trees.push_back({preset.name, subject});
+      if (!first)
+        first = row;
       progress.update(static_cast<double>(rows.size()) / static_cast<double>(figures.size()));
     }
   }
   const std::string name = fs::path(compared.name).filename().string();
-  const auto heatMax = command.heatMax ? std::optional<double>(*command.heatMax) : std::nullopt;
-  const render::Image sheet = contactSheet(
-      fmt::format("{}: {}", name, counted(compared.triangleCount, "triangle")), rows, heatMax);
-  const std::vector<std::byte> bytes = encodePng(sheet, {});
-  writeFile(*command.output, bytes);
-  talk.say(
-      fmt::format("wrote {} ({} x {}, {})",
-                  command.output == kStandardOutput ? "standard output" : command.output->string(),
-                  sheet.size.width, sheet.size.height, byteText(bytes.size())));
+  const auto heatMax =
+      command.picture.heatMax ? std::optional<double>(*command.picture.heatMax) : std::nullopt;
+  const ContactSheet sheet =
+      contactSheet(fmt::format("{}: {}", name, counted(compared.objectCount, compared.objectName)),
+                   rows, heatMax);
+  const FinishedPicture picture{first->picture, figures.front().subject, first->plan,
+                                rows.front().picture};
+  const std::vector<std::byte> bytes = encodePng(
+      sheet.image, sheetMetadata(picture, trees, sheet.range, sheetArguments(command, *first)));
+  writeFile(*command.picture.output, bytes);
+  talk.say(fmt::format(
+      "wrote {} ({} x {}, {})",
+      isStandardOutput(command.picture) ? "standard output" : command.picture.output->string(),
+      sheet.image.size.width, sheet.image.size.height, byteText(bytes.size())));
 }
 
-Json compareJson(const CompareCommand& command, const Json& mesh, const ComparedModel& model,
+std::string displayName(const RenderCommand& picture, const Subject& subject) {
+  if (!picture.model)
+    return subject.name;
+  return *picture.model == kStandardInput ? "standard input" : picture.model->string();
+}
+
+Json compareJson(const CompareCommand& command, const ComparedModel& model,
                  const std::vector<PresetFigures>& figures) {
-  return {{"model", command.model.string()},
-          {"mesh", mesh},
-          {"picture", command.output ? Json(command.output->string()) : Json(nullptr)},
+  const auto pathJson = [](const std::optional<fs::path>& path) {
+    return path ? Json(path->string()) : Json(nullptr);
+  };
+  const Subject& subject = figures.front().subject;
+  return {{"model", pathJson(command.picture.model)},
+          {"mesh", subject.mesh},
+          {"scene", subject.materials},
+          {"picture", pathJson(command.picture.output)},
           {"round_count", command.roundCount},
           {"primary_ray_count", model.primaryRayCount},
           {"ao_ray_count", model.aoRayCount},
@@ -184,12 +264,10 @@ Json compareJson(const CompareCommand& command, const Json& mesh, const Compared
 
 CLI::App* addCompareCommand(CLI::App& app, CompareCommand& command) {
   CLI::App& compare =
-      *app.add_subcommand("compare", "Show side by side what presets make of a model");
+      *app.add_subcommand("compare", "Show side by side what presets make of a scene or a model");
   compare.footer(kFooter);
   command.presets = parsePresets({"--presets", kUsualPresets});
-  addValue(compare, "MODEL", command.model, parsePath, "Model to build; - is standard input")
-      ->required()
-      ->type_name("");
+  addSubjectArgument(compare, command.picture, "build");
   addValue(compare, "--presets", command.presets, parsePresets,
            "Presets to compare, with commas between: fast, balanced, high, textbook")
       ->type_name("NAMES")
@@ -200,69 +278,65 @@ CLI::App* addCompareCommand(CLI::App& app, CompareCommand& command) {
   addWholeNumber(compare, "--ray-picture", command.rayPictureSize, 1, kMaxRayPictureSize,
                  "Pixels along each side of the picture that the measured rays come from")
       ->default_str(fmt::format("{}", command.rayPictureSize));
-  const std::string sheet = "Contact sheet";
-  addValue(compare, "-o,--output", command.output, parsePath,
+  RenderCommand& picture = command.picture;
+  picture.size.width = kUsualWidth;
+  addValue(compare, "-o,--output", picture.output, parsePath,
            "Draw a picture and the heat of each preset into this PNG file; - is standard output, "
            "and then the table is left out")
       ->type_name("FILE");
-  const auto parseSheetSize = [](const OptionText& option) {
-    const SizeOption size = parseSize(option);
-    const std::uint32_t usualHeight = std::max(1u, size.width / 4 * 3);
-    return render::ImageSize{size.width, size.height.value_or(usualHeight)};
-  };
-  addValue(compare, "--size", command.size, parseSheetSize,
-           "Width and height of each picture in pixels")
+  addValue(compare, "--size", picture.size, parseSize,
+           "Width and height of each picture in pixels. With the width alone it is shaped like the "
+           "view of the scene, or like 4:3")
       ->type_name("WxH")
-      ->default_str(fmt::format("{}x{}", command.size.width, command.size.height))
-      ->group(sheet);
-  addWholeNumber(compare, "--samples", command.samplesPerPixel, 1, kMaxSamplesPerPixel,
-                 "Rays per pixel")
-      ->default_str(fmt::format("{}", command.samplesPerPixel))
-      ->group(sheet);
-  addWholeNumber(compare, "--heat-max", command.heatMax, 1,
+      ->default_str(fmt::format("{}", picture.size.width));
+  addModeOption(compare, picture);
+  addSampleOptions(compare, picture);
+  addWholeNumber(compare, "--heat-max", picture.heatMax, 1,
                  std::numeric_limits<std::uint32_t>::max(),
                  "Steps per ray that the brightest colour of the heat stands for; otherwise as "
-                 "many as the presets need")
-      ->group(sheet);
-  addValue(compare, "--up", command.up, parseUpAxis, "Which way is up in the model")
-      ->type_name("y|z")
-      ->default_str("y")
-      ->group(sheet);
-  addRunOptions(compare, command.run);
-  addJsonOption(compare, command.run);
+                 "many as the presets need");
+  addViewOptions(compare, picture);
+  addWhittedOptions(compare, picture);
+  addCellsOption(compare, picture);
+  addRunOptions(compare, picture.run);
+  addJsonOption(compare, picture.run);
   return &compare;
 }
 
 int runCompareCommand(const CompareCommand& command) {
   checkOutput(command);
-  const bool isSheetData = command.output && *command.output == kStandardOutput;
-  const Talk talk(command.run.isQuiet || (isSheetData && command.run.isJson));
+  const RenderCommand picture = pictureWithoutHeat(command);
+  checkPictureOptions(picture);
+  const RunOptions& run = picture.run;
+  const bool isSheetData = hasSheet(command) && isStandardOutput(picture);
+  const Talk talk(run.isQuiet || (isSheetData && run.isJson));
   // What the table says needs no line besides.
-  const Model<float> model =
-      readModel<float>(command.model, Talk::ofProgress(talk.showsProgress()));
+  const SubjectSourcePtr source = readSource(picture, Talk::ofProgress(talk.showsProgress()));
 
-  PresetComparison comparison(
-      {.threadCount = command.run.threadCount, .roundCount = command.roundCount});
-  buildAll(command, model, talk, comparison);
+  PresetComparison comparison({.threadCount = run.threadCount,
+                               .roundCount = command.roundCount,
+                               .objectCost = objectCost(command, *source)});
+  buildAll(command, *source, talk, comparison);
+  const std::vector<PresetFigures>& figures = comparison.figures();
+  for (const PresetFigures& preset : figures)
+    checkSheetSize(command, planRow(command, preset.subject).plan.size);
+  const Subject& subject = figures.front().subject;
   const ComparisonRays rays = makeComparisonRays(
-      comparison.figures().front().tree, cameraFor(model, command.up, 1.0), command.rayPictureSize);
+      *subject.tracer, cameraOf(planRow(command, subject).plan), command.rayPictureSize);
   {
     ProgressLine progress("tracing", talk.showsProgress());
     comparison.trace(rays, [&progress](double done) { progress.update(done); });
   }
-  const std::vector<PresetFigures>& figures = comparison.figures();
-  const ComparedModel compared{.name = model.name,
-                               .triangleCount = model.mesh.faces.size(),
+  const ComparedModel compared{.name = displayName(picture, subject),
+                               .objectName = std::string(source->objectName()),
+                               .objectCount = subject.report.objectCount,
                                .primaryRayCount = rays.primary.size(),
                                .aoRayCount = rays.ao.size(),
                                .randomRayCount = rays.random.size()};
-  if (command.output)
-    writeSheet(command, model, compared, figures, talk);
-  if (command.run.isJson) {
-    const Json mesh =
-        meshJson({.faceCount = model.mesh.faces.size(), .vertexCount = model.mesh.positions.size()},
-                 model.report);
-    printJson(compareJson(command, mesh, compared, figures), isSheetData);
+  if (hasSheet(command))
+    writeSheet(command, compared, figures, talk);
+  if (run.isJson) {
+    printJson(compareJson(command, compared, figures), isSheetData);
   } else if (!isSheetData) {
     printPage(comparePage(compared, figures));
   }

@@ -69,7 +69,7 @@ void checkOutputName(const RenderCommand& command) {
     if (::isatty(STDOUT_FILENO) == 0)
       return;
     throw UsageError("-o -: standard output is a terminal",
-                     "Send the picture to a file or a program: planetree render -o - > out.png.");
+                     "Send the picture to a file or a program: -o - > out.png.");
   }
   const auto promised = formatOfName(*command.output);
   if (command.format && promised && *command.format != *promised) {

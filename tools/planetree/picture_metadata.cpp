@@ -187,6 +187,46 @@ std::optional<std::string> creationTime() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(seconds));
 }
 
+void addCreationTime(render::Metadata& metadata) {
+  if (const auto time = creationTime())
+    metadata.push_back({"Creation Time", *time});
+}
+
+/// What is looked at and how, in the words of all commands that draw.
+std::string viewArguments(const FinishedPicture& picture) {
+  const RenderCommand& command = picture.command;
+  std::string text = command.model ? " " + modelWord(*command.model) : "";
+  const PicturePlan& plan = picture.plan;
+  text += fmt::format(" --mode {} --size {}x{}{} --seed {}", modeName(plan.mode), plan.size.width,
+                      plan.size.height, samplesText(picture), command.seed);
+  if (!plan.view)
+    text += " --camera " + cameraText(plan.camera);
+  if (command.up == render::UpAxis::Z)
+    text += " --up z";
+  if (command.cellDepth)
+    text += fmt::format(" --show-cells {}", *command.cellDepth);
+  return text;
+}
+
+/// What does not depend on the tree.
+render::Metadata commonMetadata(const FinishedPicture& picture, const std::string& commandText) {
+  const RenderCommand& command = picture.command;
+  const Subject& subject = picture.subject;
+  const PicturePlan& plan = picture.plan;
+  return {
+      {"Software", "planetree " PLANETREE_VERSION},
+      {"Command", commandText},
+      {"Model", isPlainText(subject.name) ? subject.name : shellWord(subject.name)},
+      {command.model && !subject.isScene() ? "Triangles" : "Objects",
+       fmt::format("{}", subject.report.objectCount)},
+      {"Skipped", fmt::format("{}", subject.report.skippedCount)},
+      {"Mode", std::string(modeName(plan.mode))},
+      {"Samples", samplesMeaning(renderSettings(command, subject, plan))},
+      {"Seed", fmt::format("{}", command.seed)},
+      {"Camera", cameraMeaning(plan)},
+  };
+}
+
 }  // namespace
 
 bool isPlainText(std::string_view text) noexcept {
@@ -214,16 +254,7 @@ std::string shellWord(std::string_view text) {
 
 std::string reproducingCommand(const FinishedPicture& picture) {
   const RenderCommand& command = picture.command;
-  std::string text = "planetree render";
-  if (command.model)
-    text += " " + modelWord(*command.model);
-  const PicturePlan& plan = picture.plan;
-  text += fmt::format(" --mode {} --size {}x{}{} --seed {}", modeName(plan.mode), plan.size.width,
-                      plan.size.height, samplesText(picture), command.seed);
-  if (!plan.view)
-    text += " --camera " + cameraText(plan.camera);
-  if (command.up == render::UpAxis::Z)
-    text += " --up z";
+  std::string text = "planetree render" + viewArguments(picture);
   if (const auto& crop = command.crop)
     text +=
         fmt::format(" --crop {},{},{},{}", crop->x, crop->y, crop->size.width, crop->size.height);
@@ -231,38 +262,34 @@ std::string reproducingCommand(const FinishedPicture& picture) {
     text += fmt::format(" --heat-max {}", *command.heatMax);
   if (!command.hasLegend)
     text += " --no-legend";
-  if (command.cellDepth)
-    text += fmt::format(" --show-cells {}", *command.cellDepth);
   if (const std::string tree = TreeArguments(false).of(picture.subject.options); !tree.empty())
     text += " " + tree;
   return text;
 }
 
 render::Metadata pictureMetadata(const FinishedPicture& picture) {
-  const RenderCommand& command = picture.command;
-  const Subject& subject = picture.subject;
-  const PicturePlan& plan = picture.plan;
-  render::Metadata metadata = {
-      {"Software", "planetree " PLANETREE_VERSION},
-      {"Command", reproducingCommand(picture)},
-      {"Model", isPlainText(subject.name) ? subject.name : shellWord(subject.name)},
-      {command.model && !subject.isScene() ? "Triangles" : "Objects",
-       fmt::format("{}", subject.report.objectCount)},
-      {"Skipped", fmt::format("{}", subject.report.skippedCount)},
-      {"Mode", std::string(modeName(plan.mode))},
-      {"Samples", samplesMeaning(renderSettings(command, subject, plan))},
-      {"Seed", fmt::format("{}", command.seed)},
-      {"Camera", cameraMeaning(plan)},
-      {"Tree Options", TreeArguments(true).of(subject.options)},
-      {"Tree", treeText(subject.statistics)},
-  };
+  render::Metadata metadata = commonMetadata(picture, reproducingCommand(picture));
+  metadata.push_back({"Tree Options", TreeArguments(true).of(picture.subject.options)});
+  metadata.push_back({"Tree", treeText(picture.subject.statistics)});
   if (picture.rendering.range)
-    metadata.push_back({"Range", rangeText(plan.mode, *picture.rendering.range)});
+    metadata.push_back({"Range", rangeText(picture.plan.mode, *picture.rendering.range)});
   if (!picture.rendering.isComplete)
     metadata.push_back(
         {"Done", fmt::format("{:.4g} % of the samples", 100.0 * picture.rendering.done)});
-  if (const auto time = creationTime())
-    metadata.push_back({"Creation Time", *time});
+  addCreationTime(metadata);
+  return metadata;
+}
+
+render::Metadata sheetMetadata(const FinishedPicture& picture, const std::vector<SheetTree>& trees,
+                               const render::ValueRange& heatRange, std::string_view arguments) {
+  render::Metadata metadata = commonMetadata(
+      picture, fmt::format("planetree compare{}{}", viewArguments(picture), arguments));
+  for (const auto& [preset, subject] : trees) {
+    metadata.push_back({"Tree Options of " + preset, TreeArguments(true).of(subject.options)});
+    metadata.push_back({"Tree of " + preset, treeText(subject.statistics)});
+  }
+  metadata.push_back({"Range", rangeText(render::RenderMode::Heat, heatRange)});
+  addCreationTime(metadata);
   return metadata;
 }
 

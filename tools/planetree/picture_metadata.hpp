@@ -9,6 +9,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace planetree::tool {
 
@@ -25,6 +26,21 @@ struct FinishedPicture {
 /// SOURCE_DATE_EPOCH gives one (https://reproducible-builds.org/specs/source-date-epoch/). Throws
 /// `UsageError` if that is no time.
 [[nodiscard]] render::Metadata pictureMetadata(const FinishedPicture& picture);
+
+/// One tree of a contact sheet.
+struct SheetTree {
+  std::string preset;
+  const Subject& subject;
+};
+
+/// What the file of a contact sheet says about it. `picture` is the first row's, `heatRange` what
+/// the colours of all rows stand for, and `arguments` what `planetree compare` is asked for
+/// besides. The times and speeds on the sheet are of the machine, and no other run has the very
+/// same.
+[[nodiscard]] render::Metadata sheetMetadata(const FinishedPicture& picture,
+                                             const std::vector<SheetTree>& trees,
+                                             const render::ValueRange& heatRange,
+                                             std::string_view arguments);
 
 /// The command that makes the same picture again, wherever the file goes to.
 [[nodiscard]] std::string reproducingCommand(const FinishedPicture& picture);

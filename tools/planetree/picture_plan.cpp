@@ -121,8 +121,7 @@ render::SampleGrid sampleGrid(const RenderCommand& command) {
   return grid;
 }
 
-}  // namespace
-
+/// Whether the materials of the subject are needed.
 bool wantsScene(const RenderCommand& command) {
   if (!command.model)
     return false;
@@ -130,9 +129,37 @@ bool wantsScene(const RenderCommand& command) {
          command.mode == RenderMode::Albedo;
 }
 
+/// Once it is known what the scene has, and before long work.
+void checkOptionsFit(const RenderCommand& command, const scene::SceneDescription& description) {
+  checkModeOptions(command, modeFor(command, hasLights(description)));
+  if (command.fovDegrees && usesView(command, description.view)) {
+    throw UsageError("--fov: the scene has a camera", "Give --camera too, or leave out --fov.");
+  }
+}
+
+/// How a subject without a camera is to be looked at.
+render::Framing framing(const RenderCommand& command) {
+  render::Framing framing{.up = command.up, .showsBox = command.cellDepth.has_value()};
+  const render::ImageSize size = chosenSize(command, kUsualAspect);
+  framing.aspect = static_cast<double>(size.width) / size.height;
+  if (command.fovDegrees)
+    framing.fovDegrees = *command.fovDegrees;
+  return framing;
+}
+
+}  // namespace
+
 void checkOptionsAgree(const RenderCommand& command) {
   checkOutputName(command);
   checkHeatOptions(command);
+  checkPictureOptions(command);
+  if (command.previewSeconds && isStandardOutput(command)) {
+    throw UsageError("--preview: what was sent to standard output cannot be replaced",
+                     "Give -o the name of a file.");
+  }
+}
+
+void checkPictureOptions(const RenderCommand& command) {
   const bool isScene = wantsScene(command);
   if (command.mode || !isScene)
     checkModeOptions(command, modeFor(command, false));
@@ -151,40 +178,17 @@ void checkOptionsAgree(const RenderCommand& command) {
   if (!command.model && command.up != render::UpAxis::Y) {
     throw UsageError("--up z: the still life has y up", "Give a MODEL, or leave out --up.");
   }
-  if (command.previewSeconds && isStandardOutput(command)) {
-    throw UsageError("--preview: what was sent to standard output cannot be replaced",
-                     "Give -o the name of a file.");
-  }
 }
 
-void checkOptionsFit(const RenderCommand& command, const scene::SceneDescription& description) {
-  checkModeOptions(command, modeFor(command, hasLights(description)));
-  if (command.fovDegrees && usesView(command, description.view)) {
-    throw UsageError("--fov: the scene has a camera", "Give --camera too, or leave out --fov.");
-  }
-}
-
-render::Framing framing(const RenderCommand& command) {
-  render::Framing framing{.up = command.up, .showsBox = command.cellDepth.has_value()};
-  const render::ImageSize size = chosenSize(command, kUsualAspect);
-  framing.aspect = static_cast<double>(size.width) / size.height;
-  if (command.fovDegrees)
-    framing.fovDegrees = *command.fovDegrees;
-  return framing;
-}
-
-Subject makeSubject(const RenderCommand& command, const Talk& talk) {
-  const BuildSetup setup{.options = buildOptions(command.tree, command.run),
-                         .control = buildControl(command.run)};
+SubjectSourcePtr readSource(const RenderCommand& command, const Talk& talk) {
   if (!command.model)
-    return makeStillLifeSubject(setup, framing(command), talk);
+    return makeStillLifeSource(framing(command), talk);
   if (!wantsScene(command))
-    return readModelSubject(*command.model, setup, framing(command), talk);
+    return readModelSource(*command.model, framing(command), talk);
   const auto check = [&command](const scene::SceneDescription& description) {
     checkOptionsFit(command, description);
   };
-  return readSceneSubject(*command.model, setup, framing(command), command.whitted.background, talk,
-                          check);
+  return readSceneSource(*command.model, framing(command), command.whitted.background, talk, check);
 }
 
 PicturePlan planPicture(const RenderCommand& command, const Subject& subject) {

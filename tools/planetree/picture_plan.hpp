@@ -7,7 +7,6 @@
 #include "render/framing.hpp"
 #include "render/image.hpp"
 #include "render/render_image.hpp"
-#include "scene/scene_description.hpp"
 #include "scene/view.hpp"
 
 #include <optional>
@@ -27,21 +26,14 @@ struct PicturePlan {
   }
 };
 
-/// Whether the materials of the subject are needed.
-[[nodiscard]] bool wantsScene(const RenderCommand& command);
-
 /// Throws `UsageError` for options that contradict each other, whatever the subject is.
 void checkOptionsAgree(const RenderCommand& command);
+/// The same, but not for those of the file and of heat.
+void checkPictureOptions(const RenderCommand& command);
 
-/// The same, once it is known what the scene has. To be asked before long work.
-void checkOptionsFit(const RenderCommand& command, const scene::SceneDescription& description);
-
-/// How a subject without a camera is to be looked at.
-[[nodiscard]] render::Framing framing(const RenderCommand& command);
-
-/// What the command takes its picture of, in a tree. Throws `Error` if it cannot be read or has
-/// nothing to show, and `UsageError` if the options do not fit it.
-[[nodiscard]] Subject makeSubject(const RenderCommand& command, const Talk& talk);
+/// The scene, the model or the still life. Throws `Error` if it cannot be read, and `UsageError` if
+/// it is found not to have what the options are about.
+[[nodiscard]] SubjectSourcePtr readSource(const RenderCommand& command, const Talk& talk);
 
 /// Throws `UsageError` if the crop window is not within the picture, or the tree has no cells to
 /// draw.

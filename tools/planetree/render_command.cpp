@@ -31,6 +31,14 @@ bool isJsonOnStandardError(const RenderCommand& command) {
   return command.run.isJson && isStandardOutput(command);
 }
 
+Subject buildWithProgress(const RenderCommand& command, const SubjectSource& source,
+                          const Talk& talk) {
+  ProgressLine line("building the tree", talk.showsProgress());
+  BuildControl control = buildControl(command.run);
+  control.onProgress = [&line](const BuildProgress& progress) { line.update(progress.done); };
+  return source.build({.options = buildOptions(command.tree, command.run), .control = control});
+}
+
 /// What has been made so far takes the place of what was made before. That it cannot be written is
 /// said in the end, if it is still so.
 void writePreview(const FinishedPicture& picture) try {
@@ -121,7 +129,10 @@ int runRenderCommand(const RenderCommand& command) {
   checkIsWritable(outputPath(command));
   // Talk beside the summary would keep programs from reading it.
   const Talk talk(command.run.isQuiet || isJsonOnStandardError(command));
-  return renderSubject(command, makeSubject(command, talk), talk);
+  const SubjectSourcePtr source = readSource(command, talk);
+  const Subject subject = buildWithProgress(command, *source, talk);
+  source->sayBuilt(talk, subject);
+  return renderSubject(command, subject, talk);
 }
 
 }  // namespace planetree::tool

@@ -1,4 +1,4 @@
-#include "render_command.hpp"
+#include "render_options.hpp"
 
 #include <planetree/node/node_layout.hpp>
 
@@ -12,9 +12,10 @@ namespace planetree::tool {
 namespace {
 
 constexpr std::uint64_t kMaxSamplesPerPixel = 65536;
-
 constexpr std::uint64_t kMaxRayDepth = 64;
 constexpr std::uint64_t kMaxSupersampling = 64;
+
+constexpr const char* kTreeViewGroup = "Look at the tree";
 
 constexpr const char* kFooter = R"(Pictures:
   PNG           what a screen shows. Heat has a legend below it: the file is
@@ -57,11 +58,7 @@ Exit status: 0 done, 1 failed, 2 wrong usage.
 )";
 
 void addPictureOptions(CLI::App& app, RenderCommand& command) {
-  addValue(
-      app, "MODEL", command.model, parsePath,
-      "Scene to render (.ray), or model: PLY, STL, OBJ, OFF, glTF, COLLADA, FBX, 3DS or one of "
-      "many others; - is standard input. Without one, a still life made in code")
-      ->type_name("");
+  addSubjectArgument(app, command, "render");
   addValue(
       app, "-o,--output", command.output, parsePath,
       "Picture to write, replacing an older one: .png or .exr; - is standard output. Otherwise "
@@ -78,11 +75,49 @@ void addPictureOptions(CLI::App& app, RenderCommand& command) {
   addValue(app, "--crop", command.crop, parseCrop,
            "Render a part of the picture alone: its upper left corner, width and height in pixels")
       ->type_name("X,Y,W,H");
+}
+
+void addHeatOptions(CLI::App& app, RenderCommand& command) {
+  addWholeNumber(app, "--heat-max", command.heatMax, 1, std::numeric_limits<std::uint32_t>::max(),
+                 "Steps per ray that the brightest colour of --mode heat stands for, so that "
+                 "pictures can be compared; otherwise 99.5 % of the pixels have fewer")
+      ->group(kTreeViewGroup);
+  app.add_flag_callback(
+         "--no-legend", [&command] { command.hasLegend = false; },
+         "Leave out the legend below the PNG of --mode heat")
+      ->group(kTreeViewGroup);
+}
+
+void addWhileOptions(CLI::App& app, RenderCommand& command) {
+  addValue(app, "--preview", command.previewSeconds, parseSeconds,
+           "Save the picture as far as it is, again and again after this time")
+      ->type_name("SECONDS")
+      ->group("Run");
+  app.add_flag("--stats", command.showsTimes,
+               "Tell how much of the time went into reading, building, tracing, shading, writing")
+      ->group("Run");
+}
+
+}  // namespace
+
+void addSubjectArgument(CLI::App& app, RenderCommand& command, const std::string& verb) {
+  addValue(app, "MODEL", command.model, parsePath,
+           fmt::format("Scene to {} (.ray or .json), or model: PLY, STL, OBJ, OFF, glTF, COLLADA, "
+                       "FBX, 3DS or one of many others; - is standard input. Without one, a still "
+                       "life made in code",
+                       verb))
+      ->type_name("");
+}
+
+void addModeOption(CLI::App& app, RenderCommand& command) {
   addValue(app, "--mode", command.mode, parseMode,
            "What to show: whitted (materials and lights, with mirrors, glass and shadows), ao "
            "(ambient occlusion), normals, depth (near is bright), albedo (colours without light), "
            "or heat (work of each ray). Otherwise whitted for scenes with lights, and ao")
       ->type_name("whitted|ao|normals|depth|albedo|heat");
+}
+
+void addSampleOptions(CLI::App& app, RenderCommand& command) {
   addWholeNumber(app, "--samples", command.samplesPerPixel, 1, kMaxSamplesPerPixel,
                  "Rays per pixel, but not in mode whitted; in mode ao each that sees a surface "
                  "sends four more. Powers of two are spread best")
@@ -126,30 +161,11 @@ void addWhittedOptions(CLI::App& app, RenderCommand& command) {
       ->group(group);
 }
 
-void addWhileOptions(CLI::App& app, RenderCommand& command) {
-  addValue(app, "--preview", command.previewSeconds, parseSeconds,
-           "Save the picture as far as it is, again and again after this time")
-      ->type_name("SECONDS")
-      ->group("Run");
-  app.add_flag("--stats", command.showsTimes,
-               "Tell how much of the time went into reading, building, tracing, shading, writing")
-      ->group("Run");
-}
-
-void addTreeViewOptions(CLI::App& app, RenderCommand& command) {
-  const std::string group = "Look at the tree";
+void addCellsOption(CLI::App& app, RenderCommand& command) {
   addWholeNumber(app, "--show-cells", command.cellDepth, 1, kMaxTreeDepth,
                  "Draw the cells at this depth of the tree, and the leaves above it, as wires; the "
                  "root is at depth 1")
-      ->group(group);
-  addWholeNumber(app, "--heat-max", command.heatMax, 1, std::numeric_limits<std::uint32_t>::max(),
-                 "Steps per ray that the brightest colour of --mode heat stands for, so that "
-                 "pictures can be compared; otherwise 99.5 % of the pixels have fewer")
-      ->group(group);
-  app.add_flag_callback(
-         "--no-legend", [&command] { command.hasLegend = false; },
-         "Leave out the legend below the PNG of --mode heat")
-      ->group(group);
+      ->group(kTreeViewGroup);
 }
 
 void addViewOptions(CLI::App& app, RenderCommand& command) {
@@ -171,16 +187,17 @@ void addViewOptions(CLI::App& app, RenderCommand& command) {
       ->group(view);
 }
 
-}  // namespace
-
 CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
   CLI::App& render =
       *app.add_subcommand("render", "Render a scene, a model, or a still life made in code");
   render.footer(kFooter);
   addPictureOptions(render, command);
+  addModeOption(render, command);
+  addSampleOptions(render, command);
   addViewOptions(render, command);
   addWhittedOptions(render, command);
-  addTreeViewOptions(render, command);
+  addCellsOption(render, command);
+  addHeatOptions(render, command);
   addTreeOptions(render, command.tree);
   addRunOptions(render, command.run);
   addWhileOptions(render, command);

@@ -32,7 +32,7 @@ void takeTree(Subject& subject, KdTree<O> tree) {
   subject.options = tree.options();
   subject.report = tree.report();
   subject.statistics = tree.statistics();
-  subject.tracer = std::make_unique<render::TreeTracer<O>>(std::move(tree));
+  subject.tracer = std::make_shared<const render::TreeTracer<O>>(std::move(tree));
 }
 
 Vec3f corner(const Box3& box, unsigned number) noexcept {
@@ -95,80 +95,122 @@ SceneDescription readWithProgress(const std::filesystem::path& path,
   return description;
 }
 
-scene::BuiltScene buildWithProgress(SceneDescription description, const BuildSetup& setup,
-                                    const Talk& talk) {
-  ProgressLine line("building the tree", talk.showsProgress());
-  BuildControl control = setup.control;
-  control.onProgress = [&line](const BuildProgress& progress) { line.update(progress.done); };
-  return scene::BuiltScene(std::move(description), setup.options, control);
-}
+class ModelSource final : public SubjectSource {
+ public:
+  ModelSource(const std::filesystem::path& path, const render::Framing& framing, const Talk& talk) {
+    const Clock::time_point start = Clock::now();
+    model_ = readModel<float>(path, talk);
+    unbuilt_.name = path.filename().string();
+    unbuilt_.readingSeconds = secondsSince(start);
+    // A mesh that cannot be shown has no camera either, and building says why.
+    unbuilt_.camera =
+        frameCamera(render::visiblePoints(model_.mesh.view()), framing).value_or(render::Camera{});
+    unbuilt_.mesh = meshJson(
+        {.faceCount = model_.mesh.faces.size(), .vertexCount = model_.mesh.positions.size()},
+        model_.report);
+  }
+  [[nodiscard]] std::string_view objectName() const noexcept override { return "triangle"; }
+
+ private:
+  void buildTreeOf(Subject& subject, const BuildSetup& setup) const override {
+    takeTree(subject, buildTree(model_.mesh.view(), setup.options, setup.control));
+    requireHittable(subject.report, model_.name);
+    subject.buildingSeconds = subject.report.totalSeconds;
+  }
+  void saySkippedOf(const Talk& talk, const BuildReport& report) const override {
+    saySkipped(talk, report, model_.mesh.sourceFaces);
+  }
+
+  Model<float> model_;
+};
+
+class SceneSource final : public SubjectSource {
+ public:
+  SceneSource(const std::filesystem::path& path, const render::Framing& framing,
+              const std::optional<CubeMapPaths>& background, const Talk& talk) {
+    const Clock::time_point start = Clock::now();
+    description_ =
+        std::make_shared<const SceneDescription>(readWithProgress(path, background, talk));
+    if (description_->shapes.empty() && !isSceneFile(path)) {
+      throw Error(ErrorCode::InvalidGeometry, "has no triangles",
+                  "Rays do not hit point clouds and curves: export the model with its faces.",
+                  {.file = path.string()});
+    }
+    unbuilt_.name = path.filename().string();
+    unbuilt_.readingSeconds = secondsSince(start);
+    sayScene(talk, *description_, unbuilt_.readingSeconds);
+    unbuilt_.view = description_->view;
+    unbuilt_.camera = frameCamera(outline(*description_), framing).value_or(render::Camera{});
+    unbuilt_.materials = materialsJson(*description_);
+  }
+  [[nodiscard]] const SceneDescription& description() const noexcept { return *description_; }
+
+ private:
+  void buildTreeOf(Subject& subject, const BuildSetup& setup) const override {
+    const Clock::time_point start = Clock::now();
+    subject.scene =
+        std::make_shared<const scene::BuiltScene>(description_, setup.options, setup.control);
+    subject.buildingSeconds = secondsSince(start);
+    takeTree(subject, subject.scene->tree());
+  }
+  void saySkippedOf(const Talk& talk, const BuildReport& report) const override {
+    if (report.skippedCount == 0)
+      return;
+    talk.say(fmt::format("  skipped {} of {}: {}", grouped(report.skippedCount),
+                         counted(report.objectCount, "object"),
+                         reasonText(report.skipped.front().reason)));
+  }
+
+  std::shared_ptr<const SceneDescription> description_;
+};
+
+class StillLifeSource final : public SubjectSource {
+ public:
+  explicit StillLifeSource(const render::Framing& framing) {
+    unbuilt_.name = "still life";
+    unbuilt_.camera = frameCamera(stillLife_.outline, framing).value_or(render::Camera{});
+    unbuilt_.albedos = stillLife_.albedos;
+  }
+
+ private:
+  void buildTreeOf(Subject& subject, const BuildSetup& setup) const override {
+    takeTree(subject, buildTree(stillLife_.scene, setup.options, setup.control));
+    subject.buildingSeconds = subject.report.totalSeconds;
+  }
+  void saySkippedOf(const Talk&, const BuildReport&) const override {}
+
+  render::StillLife stillLife_ = render::makeStillLife();
+};
 
 }  // namespace
 
-Subject readModelSubject(const std::filesystem::path& path, const BuildSetup& setup,
-                         const render::Framing& framing, const Talk& talk) {
-  const Clock::time_point start = Clock::now();
-  Model<float> model = readModel<float>(path, talk);
-  Subject subject;
-  subject.name = path.filename().string();
-  subject.readingSeconds = secondsSince(start);
-  // Before the tree: a mesh that cannot be shown has no camera either, and building says why.
-  subject.camera =
-      frameCamera(render::visiblePoints(model.mesh.view()), framing).value_or(render::Camera{});
-  subject.mesh =
-      meshJson({.faceCount = model.mesh.faces.size(), .vertexCount = model.mesh.positions.size()},
-               model.report);
-  takeTree(subject, buildModelTree(std::move(model), setup.options, setup.control, talk));
-  subject.buildingSeconds = subject.report.totalSeconds;
+Subject SubjectSource::build(const BuildSetup& setup) const {
+  Subject subject = unbuilt_;
+  buildTreeOf(subject, setup);
   return subject;
 }
 
-Subject readSceneSubject(const std::filesystem::path& path, const BuildSetup& setup,
-                         const render::Framing& framing,
-                         const std::optional<CubeMapPaths>& background, const Talk& talk,
-                         const std::function<void(const SceneDescription&)>& check) {
-  const Clock::time_point start = Clock::now();
-  SceneDescription description = readWithProgress(path, background, talk);
-  if (description.shapes.empty() && !isSceneFile(path)) {
-    throw Error(ErrorCode::InvalidGeometry, "has no triangles",
-                "Rays do not hit point clouds and curves: export the model with its faces.",
-                {.file = path.string()});
-  }
-  Subject subject;
-  subject.name = path.filename().string();
-  subject.readingSeconds = secondsSince(start);
-  sayScene(talk, description, subject.readingSeconds);
-  check(description);
-  subject.view = description.view;
-  subject.camera = frameCamera(outline(description), framing).value_or(render::Camera{});
-  subject.materials = materialsJson(description);
-
-  const Clock::time_point buildStart = Clock::now();
-  subject.scene = std::make_unique<const scene::BuiltScene>(
-      buildWithProgress(std::move(description), setup, talk));
-  subject.buildingSeconds = secondsSince(buildStart);
-  takeTree(subject, subject.scene->tree());
-  if (subject.report.skippedCount != 0) {
-    talk.say(fmt::format("  skipped {} of {}: {}", grouped(subject.report.skippedCount),
-                         counted(subject.report.objectCount, "object"),
-                         reasonText(subject.report.skipped.front().reason)));
-  }
-  sayTree(talk, subject.report, subject.statistics, "object");
-  return subject;
+void SubjectSource::sayBuilt(const Talk& talk, const Subject& subject) const {
+  saySkippedOf(talk, subject.report);
+  sayTree(talk, subject.report, subject.statistics, objectName());
 }
 
-Subject makeStillLifeSubject(const BuildSetup& setup, const render::Framing& framing,
-                             const Talk& talk) {
-  render::StillLife stillLife = render::makeStillLife();
+SubjectSourcePtr readModelSource(const std::filesystem::path& path, const render::Framing& framing,
+                                 const Talk& talk) {
+  return std::make_unique<const ModelSource>(path, framing, talk);
+}
+
+SubjectSourcePtr readSceneSource(const std::filesystem::path& path, const render::Framing& framing,
+                                 const std::optional<CubeMapPaths>& background, const Talk& talk,
+                                 const std::function<void(const SceneDescription&)>& check) {
+  auto source = std::make_unique<const SceneSource>(path, framing, background, talk);
+  check(source->description());
+  return source;
+}
+
+SubjectSourcePtr makeStillLifeSource(const render::Framing& framing, const Talk& talk) {
   talk.say("no model given: a still life of spheres, boxes, cones, cylinders, squares and a knot");
-  Subject subject;
-  subject.name = "still life";
-  subject.camera = frameCamera(stillLife.outline, framing).value_or(render::Camera{});
-  subject.albedos = std::move(stillLife.albedos);
-  takeTree(subject, buildTree(stillLife.scene, setup.options, setup.control));
-  subject.buildingSeconds = subject.report.totalSeconds;
-  sayTree(talk, subject.report, subject.statistics, "object");
-  return subject;
+  return std::make_unique<const StillLifeSource>(framing);
 }
 
 }  // namespace planetree::tool

@@ -23,15 +23,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace planetree::tool {
 
-/// What a picture is taken of.
+/// What a picture is taken of, in a tree. Copies share the tree.
 struct Subject {
   std::string name;  ///< the file's, without its folder
-  std::unique_ptr<render::Tracer> tracer;
-  std::unique_ptr<const scene::BuiltScene> scene;  ///< if it has materials
+  std::shared_ptr<const render::Tracer> tracer;
+  std::shared_ptr<const scene::BuiltScene> scene;  ///< if it has materials
   std::optional<scene::View> view;                 ///< the camera that it brings
   render::Camera camera;                           ///< the view that shows all of it
   std::vector<Vec3f> albedos;
@@ -52,22 +53,49 @@ struct BuildSetup {
   BuildControl control;
 };
 
-/// A model from a file, in a tree. Throws `Error` if it cannot be read or has nothing to show.
-[[nodiscard]] Subject readModelSubject(const std::filesystem::path& path, const BuildSetup& setup,
-                                       const render::Framing& framing, const Talk& talk);
+/// What has been read and can be put into trees, each built by other rules. It must outlive the
+/// subjects that it makes.
+class SubjectSource {
+ public:
+  virtual ~SubjectSource() = default;
+
+  /// In a tree of its own; says nothing. Throws `Error` if a model has nothing that can be hit, and
+  /// as `buildTree` does.
+  [[nodiscard]] Subject build(const BuildSetup& setup) const;
+
+  /// Says how that went.
+  void sayBuilt(const Talk& talk, const Subject& subject) const;
+
+  /// What its tree holds, in the singular.
+  [[nodiscard]] virtual std::string_view objectName() const noexcept { return "object"; }
+
+ protected:
+  /// As it is before there is a tree.
+  Subject unbuilt_;
+
+ private:
+  virtual void buildTreeOf(Subject& subject, const BuildSetup& setup) const = 0;
+  virtual void saySkippedOf(const Talk& talk, const BuildReport& report) const = 0;
+};
+
+using SubjectSourcePtr = std::unique_ptr<const SubjectSource>;
+
+/// A model from a file. Throws `Error` if it cannot be read or has no triangles.
+[[nodiscard]] SubjectSourcePtr readModelSource(const std::filesystem::path& path,
+                                               const render::Framing& framing, const Talk& talk);
 
 /// Six images around a scene.
 using CubeMapPaths = std::array<std::filesystem::path, 6>;
 
-/// A scene, or a model with its materials and lights. `check` is told about it before its tree is
-/// built, and may throw. Throws `Error` if it cannot be read.
-[[nodiscard]] Subject readSceneSubject(
-    const std::filesystem::path& path, const BuildSetup& setup, const render::Framing& framing,
+/// A scene, or a model with its materials and lights. `check` is told about it, and may throw.
+/// Throws `Error` if it cannot be read.
+[[nodiscard]] SubjectSourcePtr readSceneSource(
+    const std::filesystem::path& path, const render::Framing& framing,
     const std::optional<CubeMapPaths>& background, const Talk& talk,
     const std::function<void(const scene::SceneDescription&)>& check);
 
-/// The scene made in code, in a tree.
-[[nodiscard]] Subject makeStillLifeSubject(const BuildSetup& setup, const render::Framing& framing,
-                                           const Talk& talk);
+/// The scene made in code.
+[[nodiscard]] SubjectSourcePtr makeStillLifeSource(const render::Framing& framing,
+                                                   const Talk& talk);
 
 }  // namespace planetree::tool

@@ -313,6 +313,19 @@ TEST(AmbientOcclusion, HasTheColoursOfAScene) {
   EXPECT_EQ(rendering.film.at(1, 1).value.y, 0.0f);
 }
 
+TEST(AmbientOcclusion, ShowsTheShapesOfMirrorsAndGlass) {
+  scene::SceneDescription description = halfPlane(6.0);
+  description.materials.front().diffuse.value = {0.0, 0.0, 0.0};
+  description.materials.front().reflective.value = {0.8, 0.0, 0.0};
+  description.materials.front().transmissive.value = {0.0, 0.8, 0.0};
+  const ScenePicture picture(description);
+  const Rendering rendering =
+      renderImage(picture.tracer, picture.settings({4, 4}, RenderMode::AmbientOcclusion));
+  EXPECT_GT(rendering.film.at(1, 1).value.x, 0.1f);
+  EXPECT_GT(rendering.film.at(1, 1).value.y, 0.1f);
+  EXPECT_EQ(rendering.film.at(1, 1).value.z, 0.0f);
+}
+
 TEST(PinholeCamera, OfAViewTakesItsAxesAsTheyAre) {
   const scene::View view{
       .eye = {1, 2, 3}, .look = {0.5, 0.1, -2}, .u = {3, 0.5, 0}, .v = {0.1, 1.5, 0.2}};

@@ -35,7 +35,8 @@ std::string secondsText(double seconds) {
 }  // namespace
 
 std::string comparePage(const ComparedModel& model, const std::vector<PresetFigures>& figures) {
-  std::string page = fmt::format("{} ({})\n", model.name, counted(model.triangleCount, "triangle"));
+  std::string page =
+      fmt::format("{} ({})\n", model.name, counted(model.objectCount, model.objectName));
   const auto row = [&](std::string_view name,
                        const std::function<std::string(const PresetFigures&)>& text) {
     page += fmt::format("  {:<{}}", name, kNameWidth);
@@ -48,19 +49,20 @@ std::string comparePage(const ComparedModel& model, const std::vector<PresetFigu
   row("", [](const PresetFigures& p) { return p.name; });
   heading("Tree");
   row("build", [](const PresetFigures& p) { return secondsText(p.buildSeconds); });
-  row("memory", [](const PresetFigures& p) { return byteText(p.statistics.bytes); });
+  row("memory", [](const PresetFigures& p) { return byteText(p.subject.statistics.bytes); });
   row("memory to build",
-      [](const PresetFigures& p) { return byteText(p.tree.report().peakBytes); });
+      [](const PresetFigures& p) { return byteText(p.subject.report.peakBytes); });
   row("nodes", [](const PresetFigures& p) { return grouped(p.nodeCount()); });
-  row("references", [](const PresetFigures& p) { return grouped(p.statistics.referenceCount); });
-  row("levels", [](const PresetFigures& p) { return grouped(p.statistics.depth); });
+  row("references",
+      [](const PresetFigures& p) { return grouped(p.subject.statistics.referenceCount); });
+  row("levels", [](const PresetFigures& p) { return grouped(p.subject.statistics.depth); });
   row("SAH cost", [](const PresetFigures& p) { return numberText(p.sahCost); });
   heading("Steps of a primary ray");
   row("split nodes",
       [&](const PresetFigures& p) { return numberText(perRay(p.steps.splitNodes, model)); });
   row("leaf nodes",
       [&](const PresetFigures& p) { return numberText(perRay(p.steps.leafNodes, model)); });
-  row("triangles",
+  row(model.objectName + "s",
       [&](const PresetFigures& p) { return numberText(perRay(p.steps.objects, model)); });
   heading("Million rays per second");
   row(fmt::format("primary ({})", grouped(model.primaryRayCount)),
@@ -84,8 +86,8 @@ Json presetsJson(const ComparedModel& model, const std::vector<PresetFigures>& f
                        {"primary_mrays_per_second", preset.speeds.primary},
                        {"ao_mrays_per_second", preset.speeds.ao},
                        {"random_mrays_per_second", preset.speeds.random},
-                       {"build", buildJson(preset.tree.options(), preset.tree.report())},
-                       {"tree", treeJson(preset.statistics)}});
+                       {"build", buildJson(preset.subject.options, preset.subject.report)},
+                       {"tree", treeJson(preset.subject.statistics)}});
   }
   return presets;
 }
@@ -94,7 +96,7 @@ std::string figuresLine(const ComparedModel& model, const PresetFigures& figures
   const std::uint64_t steps = figures.steps.splitNodes + figures.steps.objects;
   return fmt::format(
       "built in {}, {}, SAH cost {}, {} steps, Mrays/s: primary {}, ao {}, random {}",
-      secondsText(figures.buildSeconds), byteText(figures.statistics.bytes),
+      secondsText(figures.buildSeconds), byteText(figures.subject.statistics.bytes),
       numberText(figures.sahCost), numberText(perRay(steps, model)),
       numberText(figures.speeds.primary), numberText(figures.speeds.ao),
       numberText(figures.speeds.random));

@@ -12,7 +12,8 @@ namespace planetree::tool {
 /// What was compared.
 struct ComparedModel {
   std::string name;
-  std::uint64_t triangleCount = 0;
+  std::string objectName;  ///< "triangle" or "object"
+  std::uint64_t objectCount = 0;
   std::uint64_t primaryRayCount = 0;
   std::uint64_t aoRayCount = 0;
   std::uint64_t randomRayCount = 0;

@@ -1,5 +1,7 @@
 #include "compare/compare_presets.hpp"
 
+#include <planetree/split/cost_model.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -26,11 +28,10 @@ double millionsPerSecond(std::size_t count, double seconds) {
   return count == 0 ? 0.0 : static_cast<double>(count) / std::max(seconds, 1e-9) / 1e6;
 }
 
-double comparableSahCost(const KdTree<Face<float>>& tree) {
-  constexpr CostModel kCosts;
+double comparableSahCost(const render::Tracer& tracer, double objectCost) {
   return treeStatistics(
-             tree.nodes(), tree.bounds(),
-             {.traversalCost = kCosts.traversalCost, .intersectionCost = kCosts.faceCost})
+             tracer.nodes(), tracer.bounds(),
+             {.traversalCost = CostModel{}.traversalCost, .intersectionCost = objectCost})
       .sahCost;
 }
 
@@ -44,18 +45,16 @@ struct BestSeconds {
 }  // namespace
 
 void PresetComparison::build(const std::vector<std::string>& names,
-                             const std::function<KdTree<Face<float>>(std::size_t)>& build) {
+                             const std::function<Subject(std::size_t)>& build) {
   figures_.clear();
   double seconds = 0.0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    KdTree<Face<float>> tree = build(i);
-    const double buildSeconds = tree.report().totalSeconds;
+    Subject subject = build(i);
+    const double buildSeconds = subject.report.totalSeconds;
     seconds += buildSeconds;
-    TreeStatistics statistics = tree.statistics();
-    const double sahCost = comparableSahCost(tree);
+    const double sahCost = comparableSahCost(*subject.tracer, settings_.objectCost);
     figures_.push_back({.name = names[i],
-                        .tree = std::move(tree),
-                        .statistics = std::move(statistics),
+                        .subject = std::move(subject),
                         .buildSeconds = buildSeconds,
                         .sahCost = sahCost,
                         .steps = {},
@@ -65,7 +64,7 @@ void PresetComparison::build(const std::vector<std::string>& names,
        ++round) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       double& best = figures_[i].buildSeconds;
-      best = std::min(best, build(i).report().totalSeconds);
+      best = std::min(best, build(i).report.totalSeconds);
     }
   }
 }
@@ -75,20 +74,20 @@ void PresetComparison::trace(const ComparisonRays& rays,
   const BatchOptions options{.query = {}, .threadCount = settings_.threadCount};
   std::vector<Hitf> hits(std::max(rays.primary.size(), rays.random.size()));
   std::vector<std::uint8_t> flags(rays.ao.size());
-  const auto seconds = [&](const KdTree<Face<float>>& tree, const std::vector<Rayf>& asked) {
+  const auto seconds = [&](const render::Tracer& tracer, const std::vector<Rayf>& asked) {
     return secondsOf(
-        [&] { tree.findIntersections(asked, std::span(hits).first(asked.size()), options); });
+        [&] { tracer.findIntersections(asked, std::span(hits).first(asked.size()), options); });
   };
   std::vector<BestSeconds> best(figures_.size());
   const double turnCount = static_cast<double>(settings_.roundCount * figures_.size());
   for (std::uint32_t round = 0; round < settings_.roundCount; ++round) {
     for (std::size_t turn = 0; turn < figures_.size(); ++turn) {
       const std::size_t i = (turn + round) % figures_.size();
-      const KdTree<Face<float>>& tree = figures_[i].tree;
-      best[i].primary = std::min(best[i].primary, seconds(tree, rays.primary));
+      const render::Tracer& tracer = *figures_[i].subject.tracer;
+      best[i].primary = std::min(best[i].primary, seconds(tracer, rays.primary));
       best[i].ao = std::min(
-          best[i].ao, secondsOf([&] { tree.areOccluded(rays.ao, std::span(flags), options); }));
-      best[i].random = std::min(best[i].random, seconds(tree, rays.random));
+          best[i].ao, secondsOf([&] { tracer.areOccluded(rays.ao, std::span(flags), options); }));
+      best[i].random = std::min(best[i].random, seconds(tracer, rays.random));
       onProgress(static_cast<double>(round * figures_.size() + turn + 1) / turnCount);
     }
   }
@@ -97,7 +96,7 @@ void PresetComparison::trace(const ComparisonRays& rays,
                           .ao = millionsPerSecond(rays.ao.size(), best[i].ao),
                           .random = millionsPerSecond(rays.random.size(), best[i].random)};
     for (const Rayf& ray : rays.primary)
-      static_cast<void>(figures_[i].tree.findIntersection(ray, figures_[i].steps));
+      static_cast<void>(figures_[i].subject.tracer->findIntersection(ray, figures_[i].steps));
   }
 }
 

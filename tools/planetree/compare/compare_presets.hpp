@@ -1,10 +1,8 @@
 #pragma once
 
 #include "compare/comparison_rays.hpp"
+#include "subject.hpp"
 
-#include <planetree/build_tree.hpp>
-#include <planetree/mesh/face.hpp>
-#include <planetree/node/tree_statistics.hpp>
 #include <planetree/traversal/step_counts.hpp>
 
 #include <cstdint>
@@ -21,11 +19,10 @@ struct RaySpeeds {
   double random = 0.0;
 };
 
-/// One preset and what it makes of a mesh.
+/// One preset and what it makes of a subject.
 struct PresetFigures {
   std::string name;
-  KdTree<Face<float>> tree;
-  TreeStatistics statistics;
+  Subject subject;
   double buildSeconds = 0.0;
   /// By the costs of `BuildOptions`'s defaults, whatever the preset itself believes: so that trees
   /// can be compared.
@@ -34,7 +31,7 @@ struct PresetFigures {
   RaySpeeds speeds;
 
   [[nodiscard]] std::uint64_t nodeCount() const noexcept {
-    return statistics.splitNodeCount + statistics.leafNodeCount;
+    return subject.statistics.splitNodeCount + subject.statistics.leafNodeCount;
   }
 };
 
@@ -45,6 +42,7 @@ class PresetComparison {
   struct Settings {
     std::uint32_t threadCount = 0;  ///< of batches; 0 is as many as there are
     std::uint32_t roundCount = 5;
+    double objectCost = 0.0;  ///< of one object in a leaf, for the costs that can be compared
   };
 
   explicit PresetComparison(const Settings& settings) noexcept : settings_(settings) {}
@@ -52,7 +50,7 @@ class PresetComparison {
   /// Builds the tree of each preset; `build` makes the one with that number. Quick builds are done
   /// again in the later rounds.
   void build(const std::vector<std::string>& names,
-             const std::function<KdTree<Face<float>>(std::size_t)>& build);
+             const std::function<Subject(std::size_t)>& build);
 
   /// Traces the rays through all trees, and tells what part of that is done.
   void trace(

@@ -30,22 +30,22 @@ class Numbers {
   std::mt19937_64 engine_{20'270'101u};
 };
 
-std::vector<Rayf> primaryRays(const render::Camera& camera, std::uint32_t size) {
-  const render::PinholeCamera pinhole(camera, 1.0);
+std::vector<Rayf> primaryRays(const render::PinholeCamera& camera, std::uint32_t size) {
   std::vector<Rayf> rays;
   rays.reserve(std::size_t{size} * size);
   for (std::uint32_t y = 0; y < size; ++y) {
     for (std::uint32_t x = 0; x < size; ++x)
-      rays.push_back(pinhole.ray((x + 0.5) / size, (y + 0.5) / size));
+      rays.push_back(camera.ray((x + 0.5) / size, (y + 0.5) / size));
   }
   return rays;
 }
 
-std::vector<Rayf> aoRays(const KdTree<Face<float>>& tree, const std::vector<Rayf>& primary,
+std::vector<Rayf> aoRays(const render::Tracer& tracer, const std::vector<Rayf>& primary,
                          Numbers& numbers) {
   std::vector<Hitf> hits(primary.size());
-  tree.findIntersections(primary, hits);
-  const float reach = kReachOfDiagonal * render::diagonal(tree.bounds());
+  tracer.findIntersections(primary, hits, {});
+  const Box3 bounds = tracer.bounds();
+  const float reach = kReachOfDiagonal * render::diagonal(bounds);
   std::vector<Rayf> rays;
   for (std::size_t i = 0; i < primary.size(); ++i) {
     if (!render::isSurface(hits[i]))
@@ -54,7 +54,7 @@ std::vector<Rayf> aoRays(const KdTree<Face<float>>& tree, const std::vector<Rayf
     const Vec3f point = primary[i].at(hits[i].t);
     const double u = numbers.next();
     const render::Point2 sample{u, numbers.next()};
-    rays.push_back({.origin = point + normal * render::surfaceOffset(tree.bounds(), point),
+    rays.push_back({.origin = point + normal * render::surfaceOffset(bounds, point),
                     .direction = render::cosineDistributed(normal, sample),
                     .tMax = reach});
   }
@@ -78,12 +78,12 @@ std::vector<Rayf> randomRays(const Box3& bounds, std::size_t count, Numbers& num
 
 }  // namespace
 
-ComparisonRays makeComparisonRays(const KdTree<Face<float>>& tree, const render::Camera& camera,
+ComparisonRays makeComparisonRays(const render::Tracer& tracer, const render::PinholeCamera& camera,
                                   std::uint32_t pictureSize) {
   Numbers numbers;
   ComparisonRays rays{.primary = primaryRays(camera, pictureSize), .ao = {}, .random = {}};
-  rays.ao = aoRays(tree, rays.primary, numbers);
-  rays.random = randomRays(tree.bounds(), rays.primary.size(), numbers);
+  rays.ao = aoRays(tracer, rays.primary, numbers);
+  rays.random = randomRays(tracer.bounds(), rays.primary.size(), numbers);
   return rays;
 }
 

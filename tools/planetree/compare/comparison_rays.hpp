@@ -1,17 +1,16 @@
 #pragma once
 
 #include "render/camera.hpp"
+#include "render/tracer.hpp"
 
-#include <planetree/build_tree.hpp>
 #include <planetree/geometry/ray.hpp>
-#include <planetree/mesh/face.hpp>
 
 #include <cstdint>
 #include <vector>
 
 namespace planetree::tool {
 
-/// The rays that trees of one mesh are compared with: the same for all of them.
+/// The rays that trees of one subject are compared with: the same for all of them.
 struct ComparisonRays {
   std::vector<Rayf> primary;  ///< a picture, row by row; the nearest hit is asked for
   /// From each of their hits one, short, as ambient occlusion sends them; any hit.
@@ -21,8 +20,8 @@ struct ComparisonRays {
 
 /// `pictureSize` squared primary and random rays. The tree says where the primary ones end; which
 /// one it is makes no difference.
-[[nodiscard]] ComparisonRays makeComparisonRays(const KdTree<Face<float>>& tree,
-                                                const render::Camera& camera,
+[[nodiscard]] ComparisonRays makeComparisonRays(const render::Tracer& tracer,
+                                                const render::PinholeCamera& camera,
                                                 std::uint32_t pictureSize);
 
 }  // namespace planetree::tool

@@ -102,8 +102,8 @@ void drawLabel(Image& sheet, const Layout& layout, const SheetRow& row, std::uin
 
 }  // namespace
 
-Image contactSheet(const std::string& title, const std::vector<SheetRow>& rows,
-                   std::optional<double> heatMax) {
+ContactSheet contactSheet(const std::string& title, const std::vector<SheetRow>& rows,
+                          std::optional<double> heatMax) {
   const render::ValueRange range = commonRange(rows, heatMax);
   const Layout layout = makeLayout(rows);
   const auto headHeight = static_cast<std::uint32_t>(
@@ -121,7 +121,7 @@ Image contactSheet(const std::string& title, const std::vector<SheetRow>& rows,
          top + layout.labelHeight);
     top += layout.rowHeight();
   }
-  return withHeatLegend(sheet, range);
+  return {withHeatLegend(sheet, range), range};
 }
 
 }  // namespace planetree::tool
