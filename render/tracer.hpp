@@ -20,21 +20,21 @@ class Tracer {
   virtual ~Tracer() = default;
 
   /// The nearest hit of each ray, default-made where it misses, into as many `hits`; returns how
-  /// many there are. See trace_batch.hpp.
+  /// many there are. 0 threads are all of them; see trace_batch.hpp.
   virtual std::size_t findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits,
-                                        const BatchOptions& options) const = 0;
+                                        std::uint32_t threadCount) const = 0;
   /// For each ray 1 if it hits anything, else 0.
   virtual std::size_t areOccluded(std::span<const Rayf> rays, std::span<std::uint8_t> flags,
-                                  const BatchOptions& options) const = 0;
+                                  std::uint32_t threadCount) const = 0;
   /// The same in the caller's thread alone: tiles are shared among threads already.
   [[nodiscard]] std::vector<Hitf> findIntersections(std::span<const Rayf> rays) const {
     std::vector<Hitf> hits(rays.size());
-    findIntersections(rays, hits, {.query = {}, .threadCount = 1});
+    findIntersections(rays, hits, 1);
     return hits;
   }
   [[nodiscard]] std::vector<std::uint8_t> areOccluded(std::span<const Rayf> rays) const {
     std::vector<std::uint8_t> flags(rays.size());
-    areOccluded(rays, flags, {.query = {}, .threadCount = 1});
+    areOccluded(rays, flags, 1);
     return flags;
   }
   /// The nearest hit of one ray; adds the work done to `steps`.
@@ -50,41 +50,43 @@ class Tracer {
   [[nodiscard]] virtual std::span<const Node> nodes() const noexcept = 0;
 };
 
-/// A tree behind the interface. It keeps a copy of the tree, which is cheap: copies share the
-/// nodes.
+/// A tree behind the interface, with the choices that all questions have in common. It keeps a copy
+/// of the tree, which is cheap: copies share the nodes.
 template <Object O>
 requires std::same_as < ScalarOf<O>,
 float > class TreeTracer final : public Tracer {
  public:
-  explicit TreeTracer(KdTree<O> tree) : tree_(std::move(tree)) {}
+  explicit TreeTracer(KdTree<O> tree, const QueryOptions& query = {})
+      : tree_(std::move(tree)), query_(query) {}
 
   using Tracer::areOccluded;
   using Tracer::findIntersections;
   std::size_t findIntersections(std::span<const Rayf> rays, std::span<Hitf> hits,
-                                const BatchOptions& options) const override {
-    return tree_.findIntersections(rays, hits, options);
+                                std::uint32_t threadCount) const override {
+    return tree_.findIntersections(rays, hits, {.query = query_, .threadCount = threadCount});
   }
   std::size_t areOccluded(std::span<const Rayf> rays, std::span<std::uint8_t> flags,
-                          const BatchOptions& options) const override {
-    return tree_.areOccluded(rays, flags, options);
+                          std::uint32_t threadCount) const override {
+    return tree_.areOccluded(rays, flags, {.query = query_, .threadCount = threadCount});
   }
   [[nodiscard]] std::optional<Hitf> findIntersection(const Rayf& ray,
                                                      StepCounts& steps) const noexcept override {
-    return tree_.findIntersection(ray, steps);
+    return tree_.findIntersection(ray, steps, query_);
   }
   [[nodiscard]] FoundHits findIntersections(const Rayf& ray,
                                             std::span<Hitf> hits) const noexcept override {
-    return tree_.findIntersections(ray, hits);
+    return tree_.findIntersections(ray, hits, query_);
   }
   [[nodiscard]] FoundHits findNextIntersections(const Rayf& ray, const Hitf& after,
                                                 std::span<Hitf> hits) const noexcept override {
-    return tree_.findNextIntersections(ray, after, hits);
+    return tree_.findNextIntersections(ray, after, hits, query_);
   }
   [[nodiscard]] Box3 bounds() const noexcept override { return tree_.bounds(); }
   [[nodiscard]] std::span<const Node> nodes() const noexcept override { return tree_.nodes(); }
 
  private:
   KdTree<O> tree_;
+  QueryOptions query_;
 };
 
 /// A tracer as one task uses it: it counts the rays, and the time that their batches take.

@@ -24,6 +24,7 @@ Vec3d product(const Vec3d& a, const Vec3d& b) noexcept {
 struct TexturePlace {
   double u = 0.0;
   double v = 0.0;
+  TextureEdges edges = TextureEdges::Clamped;
 };
 
 /// The place, the materials and the weights of a hit: what the surface there is made of.
@@ -37,7 +38,7 @@ Vec3d colourAt(const ColourSource& source, const std::vector<Texture>& textures,
                const TexturePlace& place) noexcept {
   if (!source.texture)
     return source.value;
-  return product(source.value, textures[*source.texture].at(place.u, place.v));
+  return product(source.value, textures[*source.texture].at(place.u, place.v, place.edges));
 }
 
 double numberAt(const NumberSource& source, const std::vector<Texture>& textures,
@@ -45,7 +46,7 @@ double numberAt(const NumberSource& source, const std::vector<Texture>& textures
   if (!source.texture)
     return source.value;
   // The weights of the `.ray` format: those of NTSC, as in ITU-R BT.601.
-  const Vec3d colour(textures[*source.texture].at(place.u, place.v));
+  const Vec3d colour(textures[*source.texture].at(place.u, place.v, place.edges));
   return source.value * dot(colour, {0.299, 0.587, 0.114});
 }
 
@@ -177,7 +178,7 @@ bool isTwoSided(const PlacedShape& shape) noexcept {
 
 TexturePlace placeOnMesh(const PlacedShape& shape, const MeshShape& mesh,
                          const Hitf& hit) noexcept {
-  TexturePlace place;
+  TexturePlace place{.edges = TextureEdges::Repeated};
   if (mesh.coordinates.empty())
     return place;
   const std::array<double, 3> weights = cornerWeights(shape, hit);
@@ -192,16 +193,17 @@ TexturePlace placeOnMesh(const PlacedShape& shape, const MeshShape& mesh,
 TexturePlace placeOn(const PlacedShape& shape, const Rayf& ray, const Hitf& hit) noexcept {
   if (const MeshShape* mesh = meshOf(shape))
     return placeOnMesh(shape, *mesh, hit);
-  TexturePlace place{static_cast<double>(hit.u), static_cast<double>(hit.v)};
+  TexturePlace place{.u = static_cast<double>(hit.u), .v = static_cast<double>(hit.v)};
   if (std::holds_alternative<UnitSquare>(shape.shape))
     return place;
   // The other parameters of a hit are those of the placed shape, which may have been turned.
   const Vec3d local = shape.placement.inverse().value_or(Affine()).point(positionOf(ray, hit));
   if (std::holds_alternative<UnitBox>(shape.shape)) {
     const BoxPlace onBox = placeOnUnitBox(local, hit.primitive);
-    return {onBox.u, onBox.v};
+    return {.u = onBox.u, .v = onBox.v};
   }
   constexpr double kTurn = 6.283185307179586;
+  place.edges = TextureEdges::Wrapped;
   const double longitude = std::atan2(local.y, local.x) / kTurn;
   place.u = longitude < 0.0 ? longitude + 1.0 : longitude;
   if (std::holds_alternative<UnitSphere>(shape.shape))
@@ -336,7 +338,7 @@ Vec3d BuiltScene::background(const Vec3d& direction) const noexcept {
   const Vec3d size{std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)};
   const auto look = [&](std::size_t side, double right, double up, double depth) {
     const Texture& texture = parts_->description->textures[cube->textures[side]];
-    return texture.clampedAt(0.5 + 0.5 * right / depth, 0.5 + 0.5 * up / depth);
+    return texture.at(0.5 + 0.5 * right / depth, 0.5 + 0.5 * up / depth, TextureEdges::Clamped);
   };
   if (size.x >= size.y && size.x >= size.z)
     return d.x > 0.0 ? look(0, -d.z, d.y, size.x) : look(1, d.z, d.y, size.x);

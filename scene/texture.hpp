@@ -12,6 +12,13 @@
 
 namespace planetree::scene {
 
+/// How an image goes on where it ends.
+enum class TextureEdges : std::uint8_t {
+  Repeated,  ///< from the start, in both directions
+  Wrapped,   ///< around something: from the start across, and as it ends above and below
+  Clamped,   ///< as it ends: the colour of the outermost texels
+};
+
 /// An image that colours a surface: red, green, blue in [0, 1], row by row from the top.
 class Texture {
  public:
@@ -25,11 +32,9 @@ class Texture {
     return texels_[static_cast<std::size_t>(y) * width_ + x];
   }
 
-  /// Bilinear between the middles of the texels, u from the left and v from the bottom. It repeats
-  /// beyond [0, 1]; what is not finite is taken for 0.
-  [[nodiscard]] Vec3d at(double u, double v) const noexcept;
-  /// The same, but beyond the middles of the outermost texels their colour goes on.
-  [[nodiscard]] Vec3d clampedAt(double u, double v) const noexcept;
+  /// Bilinear between the middles of the texels, u from the left and v from the bottom. What is not
+  /// finite is taken for 0.
+  [[nodiscard]] Vec3d at(double u, double v, TextureEdges edges) const noexcept;
 
  private:
   std::uint32_t width_;

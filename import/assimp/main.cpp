@@ -4,6 +4,7 @@
 #include "import/assimp/mesh_sender.hpp"
 #include "import/assimp/message_writer.hpp"
 #include "import/assimp/process_limits.hpp"
+#include "import/assimp/regular_files.hpp"
 #include "import/assimp/scene_sender.hpp"
 
 #include <assimp/importerdesc.h>
@@ -109,6 +110,8 @@ void read(const Request& request, MessageWriter& writer) {
   Assimp::DefaultLogger::get()->attachStream(new Remarks(writer),
                                              Assimp::Logger::Err | Assimp::Logger::Warn);
   Assimp::Importer importer;
+  // It becomes the importer's own.
+  importer.SetIOHandler(new RegularFiles);
   leaveOwnFormats(importer, request);
   const aiScene* const scene = readFile(importer, request.path);
   if (!scene) {

@@ -167,15 +167,18 @@ void addTreeOptions(CLI::App& app, TreeOptions& options) {
   addSplitOptions(app, options);
 }
 
+CLI::Option* addCullingFlag(CLI::App& app, bool& cullsBackFaces) {
+  return app.add_flag("--culls-back-faces", cullsBackFaces,
+                      "Leave out surfaces seen from behind: triangles whose corners run clockwise");
+}
+
 void addQueryOptions(CLI::App& app, QueryOptions& options) {
   addValue(app, "--mask", options.mask, parseMask,
            "See only geometries whose mask shares a bit with this one; models have all bits set")
       ->type_name("BITS")
       ->default_str(fmt::format("{:#x}", options.mask))
       ->group("Query");
-  app.add_flag("--culls-back-faces", options.cullsBackFaces,
-               "Leave out triangles seen from behind, where their corners run clockwise")
-      ->group("Query");
+  addCullingFlag(app, options.cullsBackFaces)->group("Query");
   app.add_flag("--crossings", options.crossings,
                "Count edges and vertices so that a ray into a closed mesh hits one triangle there, "
                "not all that meet")

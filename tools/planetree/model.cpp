@@ -78,6 +78,7 @@ KdTree<Face<T>> buildModelTree(Model<T> model, const BuildOptions& options,
   const std::vector<std::uint32_t> sourceFaces = model.mesh.sourceFaces;
   auto tree = buildWithProgress(std::move(model.mesh), options, control, talk);
   const BuildReport& report = tree.report();
+  sayRange(talk, report);
   saySkipped(talk, report, sourceFaces);
   requireHittable(report, model.name);
   sayTree(talk, report, tree.statistics(), "triangle");

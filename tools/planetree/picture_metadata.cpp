@@ -163,6 +163,8 @@ std::string samplesText(const FinishedPicture& picture) {
       text += " --background " + shellWord(names);
     }
   }
+  if (command.cullsBackFaces)
+    text += " --culls-back-faces";
   return text + (command.isFlat ? " --flat" : "");
 }
 

@@ -21,9 +21,15 @@ using render::RenderMode;
 /// Of pictures whose height nobody has chosen.
 constexpr double kUsualAspect = 4.0 / 3.0;
 
-bool hasLights(const scene::SceneDescription& description) noexcept {
+bool shines(const scene::Material& material) noexcept {
+  return material.emissive.texture || material.emissive.value != Vec3d{0, 0, 0};
+}
+
+/// Whether Whitted's shading shows anything but black.
+bool isLit(const scene::SceneDescription& description) noexcept {
   return !description.pointLights.empty() || !description.directionalLights.empty() ||
-         description.ambientLight != Vec3d{0, 0, 0};
+         description.ambientLight != Vec3d{0, 0, 0} || description.background ||
+         std::ranges::any_of(description.materials, shines);
 }
 
 void refuseOutside(bool isGiven, const char* option, const char* reason, const char* mode) {
@@ -125,13 +131,13 @@ render::SampleGrid sampleGrid(const RenderCommand& command) {
 bool wantsScene(const RenderCommand& command) {
   if (!command.model)
     return false;
-  return isSceneFile(*command.model) || command.mode == RenderMode::Whitted ||
+  return hasSurfaces(*command.model) || command.mode == RenderMode::Whitted ||
          command.mode == RenderMode::Albedo;
 }
 
 /// Once it is known what the scene has, and before long work.
 void checkOptionsFit(const RenderCommand& command, const scene::SceneDescription& description) {
-  checkModeOptions(command, modeFor(command, hasLights(description)));
+  checkModeOptions(command, modeFor(command, isLit(description)));
   if (command.fovDegrees && usesView(command, description.view)) {
     throw UsageError("--fov: the scene has a camera", "Give --camera too, or leave out --fov.");
   }
@@ -194,7 +200,7 @@ SubjectSourcePtr readSource(const RenderCommand& command, const Talk& talk) {
 PicturePlan planPicture(const RenderCommand& command, const Subject& subject) {
   checkCellDepth(command, subject);
   PicturePlan plan;
-  plan.mode = modeFor(command, subject.isScene() && hasLights(subject.scene->description()));
+  plan.mode = modeFor(command, subject.isScene() && isLit(subject.scene->description()));
   if (usesView(command, subject.view))
     plan.view = subject.view;
   plan.size = chosenSize(command, plan.view ? plan.view->aspectRatio() : kUsualAspect);

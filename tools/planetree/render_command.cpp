@@ -36,7 +36,9 @@ Subject buildWithProgress(const RenderCommand& command, const SubjectSource& sou
   ProgressLine line("building the tree", talk.showsProgress());
   BuildControl control = buildControl(command.run);
   control.onProgress = [&line](const BuildProgress& progress) { line.update(progress.done); };
-  return source.build({.options = buildOptions(command.tree, command.run), .control = control});
+  return source.build({.options = buildOptions(command.tree, command.run),
+                       .control = control,
+                       .query = {.cullsBackFaces = command.cullsBackFaces}});
 }
 
 /// What has been made so far takes the place of what was made before. That it cannot be written is

@@ -39,6 +39,7 @@ struct RenderCommand {
   std::uint64_t seed = 0;
   WhittedOptions whitted;
   bool isFlat = false;
+  bool cullsBackFaces = false;
   std::optional<double> previewSeconds;
   bool showsTimes = false;
   std::optional<std::uint32_t> heatMax;  ///< the steps of the brightest colour

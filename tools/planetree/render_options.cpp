@@ -110,10 +110,12 @@ void addSubjectArgument(CLI::App& app, RenderCommand& command, const std::string
 }
 
 void addModeOption(CLI::App& app, RenderCommand& command) {
-  addValue(app, "--mode", command.mode, parseMode,
-           "What to show: whitted (materials and lights, with mirrors, glass and shadows), ao "
-           "(ambient occlusion), normals, depth (near is bright), albedo (colours without light), "
-           "or heat (work of each ray). Otherwise whitted for scenes with lights, and ao")
+  addValue(
+      app, "--mode", command.mode, parseMode,
+      "What to show: whitted (materials and lights, with mirrors, glass and shadows), ao "
+      "(ambient occlusion), normals, depth (near is bright), albedo (colours without light), "
+      "or heat (work of each ray). Otherwise whitted for scenes with lights, and for models in "
+      "formats with materials; ao for all else")
       ->type_name("whitted|ao|normals|depth|albedo|heat");
 }
 
@@ -154,6 +156,7 @@ void addWhittedOptions(CLI::App& app, RenderCommand& command) {
   app.add_flag("--flat", command.isFlat,
                "Leave out the normals that meshes have at their corners, also in mode normals")
       ->group(group);
+  addCullingFlag(app, command.cullsBackFaces)->group(group);
   addValue(app, "--background", options.background, parseCubeMap,
            "What is seen behind everything: six images of a cube map, posx, negx, posy, negy, posz "
            "and negz")

@@ -4,7 +4,12 @@
 #include "ray_files/byte_source.hpp"
 
 #include "import/import_scene.hpp"
+#include "import/own_formats.hpp"
 #include "scene/read_scene.hpp"
+
+#include <planetree/error.hpp>
+
+#include <system_error>
 
 namespace planetree::tool {
 
@@ -19,6 +24,12 @@ bool isJsonScene(const std::filesystem::path& path) {
 }
 
 scene::SceneDescription readModelOfScene(const std::filesystem::path& path) {
+  // A device may have no end, and opening a pipe may wait for ever.
+  std::error_code ignored;
+  if (std::filesystem::is_other(std::filesystem::status(path, ignored))) {
+    throw Error(ErrorCode::FileNotReadable, "it is a device or a pipe, not a file",
+                "Name a file with a model.", Error::Place{.file = path.string()});
+  }
   return importing::importScene(path);
 }
 
@@ -34,6 +45,10 @@ scene::SceneDescription readRay(const std::filesystem::path& path) {
 
 bool isSceneFile(const std::filesystem::path& path) {
   return isRayScene(path) || isJsonScene(path);
+}
+
+bool hasSurfaces(const std::filesystem::path& path) {
+  return isSceneFile(path) || !importing::isNamedForOwnReaders(path);
 }
 
 scene::SceneDescription readScene(const std::filesystem::path& path) {

@@ -28,11 +28,11 @@ double secondsSince(Clock::time_point start) {
 }
 
 template <Object O>
-void takeTree(Subject& subject, KdTree<O> tree) {
+void takeTree(Subject& subject, KdTree<O> tree, const QueryOptions& query) {
   subject.options = tree.options();
   subject.report = tree.report();
   subject.statistics = tree.statistics();
-  subject.tracer = std::make_shared<const render::TreeTracer<O>>(std::move(tree));
+  subject.tracer = std::make_shared<const render::TreeTracer<O>>(std::move(tree), query);
 }
 
 Vec3f corner(const Box3& box, unsigned number) noexcept {
@@ -113,7 +113,7 @@ class ModelSource final : public SubjectSource {
 
  private:
   void buildTreeOf(Subject& subject, const BuildSetup& setup) const override {
-    takeTree(subject, buildTree(model_.mesh.view(), setup.options, setup.control));
+    takeTree(subject, buildTree(model_.mesh.view(), setup.options, setup.control), setup.query);
     requireHittable(subject.report, model_.name);
     subject.buildingSeconds = subject.report.totalSeconds;
   }
@@ -151,7 +151,7 @@ class SceneSource final : public SubjectSource {
     subject.scene =
         std::make_shared<const scene::BuiltScene>(description_, setup.options, setup.control);
     subject.buildingSeconds = secondsSince(start);
-    takeTree(subject, subject.scene->tree());
+    takeTree(subject, subject.scene->tree(), setup.query);
   }
   void saySkippedOf(const Talk& talk, const BuildReport& report) const override {
     if (report.skippedCount == 0)
@@ -174,7 +174,7 @@ class StillLifeSource final : public SubjectSource {
 
  private:
   void buildTreeOf(Subject& subject, const BuildSetup& setup) const override {
-    takeTree(subject, buildTree(stillLife_.scene, setup.options, setup.control));
+    takeTree(subject, buildTree(stillLife_.scene, setup.options, setup.control), setup.query);
     subject.buildingSeconds = subject.report.totalSeconds;
   }
   void saySkippedOf(const Talk&, const BuildReport&) const override {}
@@ -191,6 +191,7 @@ Subject SubjectSource::build(const BuildSetup& setup) const {
 }
 
 void SubjectSource::sayBuilt(const Talk& talk, const Subject& subject) const {
+  sayRange(talk, subject.report);
   saySkippedOf(talk, subject.report);
   sayTree(talk, subject.report, subject.statistics, objectName());
 }

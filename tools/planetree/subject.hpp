@@ -14,6 +14,7 @@
 #include <planetree/split/build_control.hpp>
 #include <planetree/split/build_options.hpp>
 #include <planetree/split/build_report.hpp>
+#include <planetree/traversal/query_options.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -47,10 +48,11 @@ struct Subject {
   [[nodiscard]] bool isScene() const noexcept { return scene != nullptr; }
 };
 
-/// How trees are to be built.
+/// How a tree is to be built, and what all rays of a picture have in common.
 struct BuildSetup {
   BuildOptions options;
   BuildControl control;
+  QueryOptions query = {};
 };
 
 /// What has been read and can be put into trees, each built by other rules. It must outlive the

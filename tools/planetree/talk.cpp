@@ -127,12 +127,15 @@ void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
   sayLeftOut(talk, report);
 }
 
-void saySkipped(const Talk& talk, const BuildReport& report,
-                std::span<const std::uint32_t> sourceFaces) {
+void sayRange(const Talk& talk, const BuildReport& report) {
   if (report.sceneRange != SceneRange::Within) {
     talk.say(fmt::format("  the scene {}: hits may be lost; scale it by a power of two, or move it",
                          rangeText(report.sceneRange)));
   }
+}
+
+void saySkipped(const Talk& talk, const BuildReport& report,
+                std::span<const std::uint32_t> sourceFaces) {
   if (report.skippedCount == 0)
     return;
   std::vector<std::string> first;

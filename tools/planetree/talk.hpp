@@ -60,8 +60,11 @@ struct MeshSize {
 void sayMesh(const Talk& talk, const std::string& name, const MeshSize& size,
              const importing::ImportReport& report, double seconds);
 
-/// What may be missed: the skipped faces of a mesh, and a size beyond the limits. `sourceFaces` is
-/// that of the mesh: faces are named by their number in the file.
+/// That hits may be lost, if the size of the scene is beyond the limits.
+void sayRange(const Talk& talk, const BuildReport& report);
+
+/// The skipped faces of a mesh. `sourceFaces` is that of the mesh: faces are named by their number
+/// in the file.
 void saySkipped(const Talk& talk, const BuildReport& report,
                 std::span<const std::uint32_t> sourceFaces);
 

@@ -25,8 +25,10 @@ void check(const scene::Texture& texture) {
   requireColour(Vec3d(texture.texel(0, 0)));
   requireColour(Vec3d(texture.texel(texture.width() - 1, texture.height() - 1)));
   for (const double u : {-1e300, -0.5, 0.0, 0.3, 1.0, 7.0}) {
-    requireColour(texture.at(u, 1.0 - u));
-    requireColour(texture.clampedAt(u, 1.0 - u));
+    for (const scene::TextureEdges edges :
+         {scene::TextureEdges::Repeated, scene::TextureEdges::Wrapped,
+          scene::TextureEdges::Clamped})
+      requireColour(texture.at(u, 1.0 - u, edges));
   }
 }
 

@@ -88,8 +88,9 @@ class ImportScene : public ModelFolder {
     ASSERT_EQ(scene.textures.size(), 1u);
     EXPECT_EQ(scene.textures[0].width(), 2u);
     EXPECT_EQ(scene.textures[0].texel(0, 0), (Vec3f{1, 0, 0}));
-    EXPECT_EQ(scene.textures[0].at(0.25, 0.25), (Vec3d{0, 0, 1}));  // the lower left corner
-    EXPECT_EQ(scene.textures[0].at(0.75, 0.75), (Vec3d{0, 1, 0}));
+    EXPECT_EQ(scene.textures[0].at(0.25, 0.25, scene::TextureEdges::Repeated),
+              (Vec3d{0, 0, 1}));  // the lower left corner
+    EXPECT_EQ(scene.textures[0].at(0.75, 0.75, scene::TextureEdges::Repeated), (Vec3d{0, 1, 0}));
   }
 };
 
@@ -123,7 +124,8 @@ TEST_F(ImportScene, ReadsTheMaterialsOfObjFiles) {
   EXPECT_EQ(wood.transmissive.value, (Vec3d{}));
   ASSERT_TRUE(wood.diffuse.texture.has_value());
   EXPECT_EQ(wood.ambient.texture, wood.diffuse.texture);
-  EXPECT_EQ(scene.textures.at(*wood.diffuse.texture).at(0.25, 0.25), (Vec3d{0, 0, 1}));
+  EXPECT_EQ(scene.textures.at(*wood.diffuse.texture).at(0.25, 0.25, scene::TextureEdges::Repeated),
+            (Vec3d{0, 0, 1}));
 
   const scene::Material& glass = scene.materials.at(scene.shapes[1].material);
   EXPECT_EQ(glass.name, "glass");

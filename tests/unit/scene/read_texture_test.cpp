@@ -22,6 +22,7 @@ namespace {
 
 using scene::readTexture;
 using scene::Texture;
+using scene::TextureEdges;
 
 const std::filesystem::path kTextureFolder =
     std::filesystem::path(PLANETREE_REPOSITORY) / "data/scenes/textures";
@@ -295,24 +296,48 @@ TEST(ReadTexture, WithBytesChangedIsAnErrorOrAnImage) {
 
 TEST(Texture, IsBilinearBetweenTheMiddlesOfItsTexels) {
   const Texture texture(2, 2, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  EXPECT_EQ(texture.at(0.25, 0.75), (Vec3d{0, 0, 0}));  // v goes up, rows go down
-  EXPECT_EQ(texture.at(0.75, 0.75), (Vec3d{1, 0, 0}));
-  EXPECT_EQ(texture.at(0.25, 0.25), (Vec3d{0, 1, 0}));
-  EXPECT_EQ(texture.at(0.75, 0.25), (Vec3d{0, 0, 1}));
-  EXPECT_EQ(texture.at(0.5, 0.5), (Vec3d{0.25, 0.25, 0.25}));
-  EXPECT_EQ(texture.at(0.625, 0.75), (Vec3d{0.75, 0, 0}));
+  for (const TextureEdges edges :
+       {TextureEdges::Repeated, TextureEdges::Wrapped, TextureEdges::Clamped}) {
+    EXPECT_EQ(texture.at(0.25, 0.75, edges), (Vec3d{0, 0, 0}));  // v goes up, rows go down
+    EXPECT_EQ(texture.at(0.75, 0.75, edges), (Vec3d{1, 0, 0}));
+    EXPECT_EQ(texture.at(0.25, 0.25, edges), (Vec3d{0, 1, 0}));
+    EXPECT_EQ(texture.at(0.75, 0.25, edges), (Vec3d{0, 0, 1}));
+    EXPECT_EQ(texture.at(0.5, 0.5, edges), (Vec3d{0.25, 0.25, 0.25}));
+    EXPECT_EQ(texture.at(0.625, 0.75, edges), (Vec3d{0.75, 0, 0}));
+  }
+}
+
+TEST(Texture, GoesOnBeyondItsEdgesAsItIsAskedTo) {
+  // White at the upper left, black elsewhere.
+  const Texture texture(2, 2, {{1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+  const auto at = [&](double u, double v, TextureEdges edges) { return texture.at(u, v, edges).x; };
+  // On the left edge, in the middle of the upper row.
+  EXPECT_EQ(at(0, 0.75, TextureEdges::Repeated), 0.5);
+  EXPECT_EQ(at(0, 0.75, TextureEdges::Wrapped), 0.5);
+  EXPECT_EQ(at(0, 0.75, TextureEdges::Clamped), 1.0);
+  // On the upper edge, in the middle of the left column.
+  EXPECT_EQ(at(0.25, 1, TextureEdges::Repeated), 0.5);
+  EXPECT_EQ(at(0.25, 1, TextureEdges::Wrapped), 1.0);
+  EXPECT_EQ(at(0.25, 1, TextureEdges::Clamped), 1.0);
+  // Beyond them.
+  EXPECT_EQ(at(-0.75, 0.75, TextureEdges::Wrapped), 1.0);
+  EXPECT_EQ(at(-0.75, 5, TextureEdges::Clamped), 1.0);
 }
 
 TEST(Texture, RepeatsAndTakesWhatIsNotFiniteForZero) {
   const Texture texture(2, 1, {{0, 0, 0}, {1, 1, 1}});
-  EXPECT_EQ(texture.at(0, 0), (Vec3d{0.5, 0.5, 0.5}));  // between the last and the first
-  EXPECT_EQ(texture.at(3.75, -7), texture.at(0.75, 0));
-  EXPECT_EQ(texture.at(-0.25, 0), texture.at(0.75, 0));
-  EXPECT_EQ(texture.at(std::nan(""), std::numeric_limits<double>::infinity()), texture.at(0, 0));
+  const auto at = [&](double u, double v) { return texture.at(u, v, TextureEdges::Repeated); };
+  EXPECT_EQ(at(0, 0), (Vec3d{0.5, 0.5, 0.5}));  // between the last and the first
+  EXPECT_EQ(at(3.75, -7), at(0.75, 0));
+  EXPECT_EQ(at(-0.25, 0), at(0.75, 0));
+  EXPECT_EQ(at(std::nan(""), std::numeric_limits<double>::infinity()), at(0, 0));
   for (const double u : {1e300, -1e300, -1e-300, 0x1.fffffffffffffp-1}) {
-    const Vec3d colour = texture.at(u, u);
-    EXPECT_GE(colour.x, 0.0) << u;
-    EXPECT_LE(colour.x, 1.0) << u;
+    for (const TextureEdges edges :
+         {TextureEdges::Repeated, TextureEdges::Wrapped, TextureEdges::Clamped}) {
+      const Vec3d colour = texture.at(u, u, edges);
+      EXPECT_GE(colour.x, 0.0) << u;
+      EXPECT_LE(colour.x, 1.0) << u;
+    }
   }
 }
 

@@ -71,12 +71,12 @@ void PresetComparison::build(const std::vector<std::string>& names,
 
 void PresetComparison::trace(const ComparisonRays& rays,
                              const std::function<void(double done)>& onProgress) {
-  const BatchOptions options{.query = {}, .threadCount = settings_.threadCount};
   std::vector<Hitf> hits(std::max(rays.primary.size(), rays.random.size()));
   std::vector<std::uint8_t> flags(rays.ao.size());
   const auto seconds = [&](const render::Tracer& tracer, const std::vector<Rayf>& asked) {
-    return secondsOf(
-        [&] { tracer.findIntersections(asked, std::span(hits).first(asked.size()), options); });
+    return secondsOf([&] {
+      tracer.findIntersections(asked, std::span(hits).first(asked.size()), settings_.threadCount);
+    });
   };
   std::vector<BestSeconds> best(figures_.size());
   const double turnCount = static_cast<double>(settings_.roundCount * figures_.size());
@@ -85,8 +85,9 @@ void PresetComparison::trace(const ComparisonRays& rays,
       const std::size_t i = (turn + round) % figures_.size();
       const render::Tracer& tracer = *figures_[i].subject.tracer;
       best[i].primary = std::min(best[i].primary, seconds(tracer, rays.primary));
-      best[i].ao = std::min(
-          best[i].ao, secondsOf([&] { tracer.areOccluded(rays.ao, std::span(flags), options); }));
+      best[i].ao = std::min(best[i].ao, secondsOf([&] {
+                              tracer.areOccluded(rays.ao, std::span(flags), settings_.threadCount);
+                            }));
       best[i].random = std::min(best[i].random, seconds(tracer, rays.random));
       onProgress(static_cast<double>(round * figures_.size() + turn + 1) / turnCount);
     }

@@ -43,7 +43,7 @@ std::vector<Rayf> primaryRays(const render::PinholeCamera& camera, std::uint32_t
 std::vector<Rayf> aoRays(const render::Tracer& tracer, const std::vector<Rayf>& primary,
                          Numbers& numbers) {
   std::vector<Hitf> hits(primary.size());
-  tracer.findIntersections(primary, hits, {});
+  tracer.findIntersections(primary, hits, 0);
   const Box3 bounds = tracer.bounds();
   const float reach = kReachOfDiagonal * render::diagonal(bounds);
   std::vector<Rayf> rays;
