@@ -12,8 +12,10 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace planetree::importing {
 namespace {
@@ -90,12 +92,30 @@ SceneDescription readAny(const fs::path& path, ImportReport& report) {
   return readOwnFormats(path, report);
 }
 
+/// Says what the file has and the scene has not.
+void addLosses(const ImportReport& report, std::vector<std::string>& remarks) {
+  if (report.skippedPolygonCount > 0) {
+    std::string remark = std::to_string(report.skippedPolygonCount) + " of " +
+                         std::to_string(report.polygonCount) + " faces are left out";
+    if (!report.skipped.empty()) {
+      const SkippedPolygon& first = report.skipped.front();
+      remark += ", the first since face " + std::to_string(first.polygon) + " " + first.reason;
+    }
+    remarks.push_back(std::move(remark));
+  }
+  if (report.unreadPrimitiveCount > 0) {
+    remarks.push_back(std::to_string(report.unreadPrimitiveCount) +
+                      " points, lines or curves are left out: they cannot be hit");
+  }
+}
+
 }  // namespace
 
 SceneDescription importScene(const fs::path& path, ImportReport* report) {
   ImportReport found;
   SceneDescription scene = readAny(path, found);
   scene.name = path.filename().string();
+  addLosses(found, scene.remarks);
   if (scene::addDefaultLighting(scene))
     scene.remarks.push_back("the file has no lights: a key and a fill light were added");
   if (report)

@@ -18,7 +18,8 @@ namespace planetree::importing {
 /// as `importMesh` does, with one material. An OBJ file that assimp refuses is read so, too, with a
 /// remark.
 ///
-/// A texture that cannot be had is no error: its surface gets a plain colour, and `remarks` say so.
+/// A texture that cannot be had is no error: its surface gets a plain colour, and `remarks` say so,
+/// as they say of faces, points and lines that are left out.
 /// A file without lights gets the lighting of `addDefaultLighting`.
 ///
 /// Throws what `importMesh` throws. Any thread may call it.

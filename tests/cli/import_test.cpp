@@ -1,5 +1,7 @@
 #include "tool_run.hpp"
 
+#include <sys/stat.h>
+
 #include <string>
 
 namespace planetree::test {
@@ -28,6 +30,22 @@ const std::string kSquares = R"(<?xml version="1.0"?>
 <scene><instance_visual_scene url="#w"/></scene></COLLADA>
 )";
 
+/// A triangle, a light and a camera.
+const std::string kGltf = R"({"asset": {"version": "2.0"},
+"extensionsUsed": ["KHR_lights_punctual"],
+"extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional"}]}},
+"scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+"cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.1}}],
+"nodes": [{"mesh": 0}, {"camera": 0, "translation": [0.3, 0.3, 3]},
+  {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+  "min": [0, 0, 0], "max": [1, 1, 0]}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36,
+  "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+)";
+
 void expectSaid(const ToolResult& result, const std::string& words) {
   EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
 }
@@ -36,9 +54,39 @@ TEST_F(Import, ModelsOfOtherFormatsAreRendered) {
   writeFile("squares.dae", kSquares);
   const ToolResult result = runSmall({"squares.dae"});
   EXPECT_EQ(result.status, 0) << result.err;
-  expectSaid(result, "squares.dae: 4 triangles, 8 vertices (Collada, read in ");
-  expectSaid(result, "  left out 2 primitives: points, lines and curves cannot be hit\n");
+  expectSaid(result, "squares.dae: 2 shapes, 1 material, 0 textures, ");
+  expectSaid(result, "  2 points, lines or curves are left out: they cannot be hit\n");
+  expectSaid(result, "tree of 4 objects, built in ");
   EXPECT_TRUE(isPng(readFile("squares.png"), 24, 16));
+}
+
+TEST_F(Import, FormatsWithMaterialsHaveTheirLightsAndTheirCameraInEveryMode) {
+  writeFile("scene.gltf", kGltf);
+  for (const char* mode : {"whitted", "ao", "normals", "depth", "albedo", "heat"}) {
+    const ToolResult result = runSmall({"scene.gltf", "--mode", mode});
+    EXPECT_EQ(result.status, 0) << result.err;
+    expectSaid(result, "view: the camera of the scene");
+  }
+  const ToolResult result = run({"render", "scene.gltf", "--json", "-q", "--size", "8"});
+  EXPECT_NE(result.out.find("\"mode\": \"whitted\""), std::string::npos) << result.out;
+}
+
+/// Such a file is named by another: whoever opens it waits for ever, or reads without an end.
+TEST_F(Import, PipesAndDevicesThatFilesNameAreRefused) {
+  ASSERT_EQ(::mkfifo((folder() / "pipe").c_str(), 0600), 0);
+  for (const std::string file : {"pipe", "/dev/zero"}) {
+    writeFile("scene.json",
+              "{\"shapes\": [\n  {\"type\": \"model\", \"file\": \"" + file + "\"}]}");
+    const ToolResult result = run({"render", "scene.json", "--size", "8"});
+    EXPECT_EQ(result.status, 1) << result.err;
+    expectSaid(result, "scene.json:2:29: the model cannot be used: ");
+    expectSaid(result, "it is a device or a pipe, not a file");
+  }
+  writeFile("square.obj", "mtllib pipe\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(run({"render", "square.obj", "--mode", "albedo", "--size", "8"}).status, 0);
+  writeFile("piped.gltf",
+            R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "uri": "pipe"}]})");
+  EXPECT_EQ(run({"render", "piped.gltf", "--size", "8"}).status, 1);
 }
 
 TEST_F(Import, RaysMeetEachPlaceOfAMesh) {

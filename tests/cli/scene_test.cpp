@@ -71,6 +71,36 @@ TEST_F(SceneFile, WithoutLightsHasAmbientOcclusion) {
   EXPECT_EQ(summary({"dark.ray", "--size", "8"})["mode"], "ao");
 }
 
+TEST_F(SceneFile, ThatShinesByItselfNeedsNoLights) {
+  const std::string begin = "SBT-raytracer 1.0 translate(0, 0, -4, sphere { material = { ";
+  writeFile("lamp.ray", begin + "emissive = (1, 0, 0) } })");
+  EXPECT_EQ(summary({"lamp.ray", "--size", "8"})["mode"], "whitted");
+  writeFile("sky.json", R"({"background": [0, 0, 1], "shapes": [{"type": "sphere"}]})");
+  EXPECT_EQ(summary({"sky.json", "--size", "8"})["mode"], "whitted");
+}
+
+TEST_F(SceneFile, BeyondTheRangeOfCoordinatesSaysSo) {
+  writeFile("huge.ray", "SBT-raytracer 1.0 scale(1e20, sphere {})");
+  const ToolResult result = run({"render", "huge.ray", "--size", "8"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("the scene is more than 2^30 across: hits may be lost"),
+            std::string::npos)
+      << result.err;
+}
+
+TEST_F(SceneFile, SeenFromBehindItMayBeLeftOut) {
+  writeFile("inside.ray",
+            "SBT-raytracer 1.0 ambient_light { color = (1, 1, 1) } scale(9, sphere { material = { "
+            "ambient = (1, 0, 0) } })");
+  const auto pixel = [this](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "inside.ray", "-q", "--size", "4", "-o", "-"});
+    const auto picture = readPng(run(options).out);
+    return picture ? picture->image.at(1, 1) : render::Rgb8{1, 2, 3};
+  };
+  EXPECT_EQ(pixel({}), (render::Rgb8{255, 0, 0}));
+  EXPECT_EQ(pixel({"--culls-back-faces"}), (render::Rgb8{0, 0, 0}));
+}
+
 TEST_F(SceneFile, SaysWhatItHas) {
   const ToolResult result = run({"render", "balls.ray", "--size", "8"});
   EXPECT_EQ(result.out, "");
@@ -160,7 +190,8 @@ TEST_F(SceneFile, ExrHasTheLayersOfTheFirstHit) {
 TEST_F(SceneFile, TheCommandInThePictureMakesItAgain) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--crop", "1,2,20,10", "--no-shadows", "--flat", "--ray-depth",
-                                 "2", "--supersampling", "3", "--threshold", "0.125"},
+                                 "2", "--supersampling", "3", "--threshold", "0.125",
+                                 "--culls-back-faces"},
         {"--mode", "albedo", "--samples", "3"},
         {"--camera", "1,2,5,0,0,0"}}) {
     const PngFile first = png(arguments);
