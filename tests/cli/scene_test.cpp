@@ -79,6 +79,11 @@ TEST_F(SceneFile, ThatShinesByItselfNeedsNoLights) {
   EXPECT_EQ(summary({"sky.json", "--size", "8"})["mode"], "whitted");
 }
 
+TEST_F(SceneFile, IsKnownByItsFirstWordsToo) {
+  writeFile("balls.txt", kScene);
+  EXPECT_EQ(summary({"balls.txt", "--size", "8"})["mode"], "whitted");
+}
+
 TEST_F(SceneFile, BeyondTheRangeOfCoordinatesSaysSo) {
   writeFile("huge.ray", "SBT-raytracer 1.0 scale(1e20, sphere {})");
   const ToolResult result = run({"render", "huge.ray", "--size", "8"});

@@ -20,8 +20,8 @@ constexpr const char* kTreeViewGroup = "Look at the tree";
 constexpr const char* kFooter = R"(Pictures:
   PNG           what a screen shows. Heat has a legend below it: the file is
                 higher than --size says, and the picture itself is not
-  EXR           numbers. R, G, B, A is the picture in linear light without
-                the backdrop; Z the depth, N.X, N.Y, N.Z the normal,
+  EXR           numbers. R, G, B, A is the picture in linear light; A is
+                1 where a surface is, and in mode whitted; Z the depth, N.X, N.Y, N.Z the normal,
                 albedo.R, G, B the albedo, steps, steps.splitNodes,
                 steps.leafNodes, steps.objects the work of a ray, each in its
                 mode, and the first three in mode whitted, too; cells.R, G,
@@ -101,11 +101,13 @@ void addWhileOptions(CLI::App& app, RenderCommand& command) {
 }  // namespace
 
 void addSubjectArgument(CLI::App& app, RenderCommand& command, const std::string& verb) {
-  addValue(app, "MODEL", command.model, parsePath,
-           fmt::format("Scene to {} (.ray or .json), or model: PLY, STL, OBJ, OFF, glTF, COLLADA, "
-                       "FBX, 3DS or one of many others; - is standard input. Without one, a still "
-                       "life made in code",
-                       verb))
+  addValue(
+      app, "MODEL", command.model, parsePath,
+      fmt::format(
+          "Scene to {} (.ray or .json), or model: PLY, STL, OBJ, OFF, glTF, COLLADA, "
+          "FBX, 3DS or one of many others; - is a model from standard input. Without one, a still "
+          "life made in code",
+          verb))
       ->type_name("");
 }
 

@@ -9,14 +9,26 @@
 
 #include <planetree/error.hpp>
 
+#include <array>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 
 namespace planetree::tool {
 
 namespace {
 
+/// By its name, or by its first words: such files are old, and go by many names.
 bool isRayScene(const std::filesystem::path& path) {
-  return lowerCaseExtension(path) == ".ray";
+  if (lowerCaseExtension(path) == ".ray")
+    return true;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    return false;
+  constexpr std::string_view kBegin = "SBT-raytracer";
+  std::array<char, kBegin.size()> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()) == kBegin;
 }
 
 bool isJsonScene(const std::filesystem::path& path) {

@@ -7,8 +7,8 @@
 /// Which reader takes a file with materials and lights.
 namespace planetree::tool {
 
-/// Whether the file is a scene, by its name: one that is rendered with its lights. All others are
-/// models.
+/// Whether the file is a scene, by its name or its first words: one that is rendered with its
+/// lights. All others are models.
 [[nodiscard]] bool isSceneFile(const std::filesystem::path& path);
 
 /// Whether the file has materials and lights or may well have some: a scene, or a model in one of

@@ -65,7 +65,8 @@ Json materialsJson(const SceneDescription& description) {
           {"texture_count", description.textures.size()},
           {"point_light_count", description.pointLights.size()},
           {"directional_light_count", description.directionalLights.size()},
-          {"has_camera", description.view.has_value()}};
+          {"has_camera", description.view.has_value()},
+          {"remarks", description.remarks}};
 }
 
 void sayScene(const Talk& talk, const SceneDescription& description, double seconds) {
