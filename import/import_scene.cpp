@@ -10,6 +10,7 @@
 
 #include <planetree/error.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -103,8 +104,11 @@ void addLosses(const ImportReport& report, std::vector<std::string>& remarks) {
     }
     remarks.push_back(std::move(remark));
   }
-  if (report.unreadPrimitiveCount > 0) {
-    remarks.push_back(std::to_string(report.unreadPrimitiveCount) +
+  const std::uint64_t unread = report.unreadPrimitiveCount;
+  if (unread == 1)
+    remarks.emplace_back("a point, line or curve is left out: it cannot be hit");
+  if (unread > 1) {
+    remarks.push_back(std::to_string(unread) +
                       " points, lines or curves are left out: they cannot be hit");
   }
 }
