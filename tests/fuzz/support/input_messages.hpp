@@ -5,7 +5,6 @@
 #include "support/byte_stream.hpp"
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace planetree::fuzz {
@@ -15,10 +14,11 @@ namespace planetree::fuzz {
 [[nodiscard]] inline std::vector<std::byte> messagesOf(ByteStream input) {
   std::vector<std::byte> bytes;
   if (input.takeByte() != 0) {
-    const auto greeting = std::as_bytes(std::span(importing::kGreeting));
-    bytes.assign(greeting.begin(), greeting.end());
+    for (const char character : importing::kGreeting)
+      bytes.push_back(static_cast<std::byte>(character));
   }
-  bytes.insert(bytes.end(), input.rest().begin(), input.rest().end());
+  for (const std::byte byte : input.rest())
+    bytes.push_back(byte);
   return bytes;
 }
 
