@@ -317,6 +317,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"({"shapes": [{"type": "box", "transform": [{"matrix":
           [[1, 0, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]}]})",
                 1, 43, "singular"},
+        Refused{R"({"shapes": [{"type": "box", "transform": [{"matrix":
+          [[0.1, 0.2, 0.3, 0], [0.4, 0.5, 0.6, 0], [0.7, 0.8, 0.9, 0], [0, 0, 0, 1]]}]}]})",
+                1, 43, "singular"},
         Refused{R"({"shapes": [{"type": "group", "children": 3}]})", 1, 43, "must be a list"},
         Refused{R"({"background": {"posx": "a"}})", 1, 16, "no \"negx\""}));
 

@@ -116,7 +116,11 @@ TEST(RayTransform, ThatIsSingularIsAnErrorAtItsPlace) {
   EXPECT_EQ(errorOf("translate(1, 0, 0,\n  scale(0, sphere {}))"), singular("3:3", "scale"));
   EXPECT_EQ(errorOf("transform((1, 2, 3, 0), (2, 4, 6, 0), (0, 0, 1, 0), (0, 0, 0, 1), box {})"),
             singular("2:1", "transform"));
+  EXPECT_EQ(errorOf("transform((.1,.2,.3,0), (.4,.5,.6,0), (.7,.8,.9,0), (0,0,0,1), sphere {})"),
+            singular("2:1", "transform"));
   EXPECT_EQ(errorOf("scale(1e200, box {})"), singular("2:1", "scale"));
+  EXPECT_EQ(errorOf("rotate(1, 2, 3, 1, scale(1, 1e-9, 1, rotate(3, 2, 1, 1, box {})))"),
+            "no error");
   EXPECT_EQ(errorOf("rotate(0, 0, 0, 1, box {})"),
             "test.ray:2:1: the axis of the rotation is (0, 0, 0). Choose another axis: (0, 0, 1) "
             "turns x to y");
