@@ -147,7 +147,10 @@ TEST(RayTransform, TakesOneThing) {
             "transform takes one shape, transform or group; put several into a group, { ... }");
   EXPECT_EQ(errorOf("scale(2, material = {})"),
             "test.ray:2:10: expected a shape, transform or group to be transformed, found "
-            "\"material\". Cameras and lights stand outside of all groups and transforms");
+            "\"material\". Put it into the shape, or both into a group, { material = ...; ... }");
+  EXPECT_EQ(errorOf("translate(0,0,0,material={diffuse=(1,0,0)} sphere{})").substr(0, 15),
+            "test.ray:2:17: ");
+  EXPECT_EQ(errorOf("translate(0,0,0,{material={diffuse=(1,0,0)} sphere{}})"), "no error");
   EXPECT_EQ(errorOf("translate(1, 0, 0)"),
             "test.ray:2:18: expected ',' behind the number, found ')'. Write translate(x, y, z, "
             "what)");
