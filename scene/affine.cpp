@@ -1,6 +1,7 @@
 #include "scene/affine.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace planetree::scene {
 
@@ -52,7 +53,25 @@ bool Affine::isFinite() const noexcept {
          scene::isFinite(columns_[2]) && scene::isFinite(origin_);
 }
 
+bool Affine::isSingular() const noexcept {
+  // The sum of the sizes of the six products that the determinant is made of. What rounding does to
+  // it is a part of that: see docs/numerics.md, section 8. Unlike the product of the lengths of the
+  // columns it shrinks with a row as well as with a column, so that flat but good maps stay good.
+  constexpr double kTolerance = 16.0 * std::numeric_limits<double>::epsilon();
+  const auto size = [](const Vec3d& v) {
+    return Vec3d{std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
+  };
+  const Vec3d x = size(columns_[0]);
+  const Vec3d y = size(columns_[1]);
+  const Vec3d z = size(columns_[2]);
+  const double sum =
+      x.x * (y.y * z.z + y.z * z.y) + x.y * (y.z * z.x + y.x * z.z) + x.z * (y.x * z.y + y.y * z.x);
+  return !(std::fabs(determinant()) > kTolerance * sum);
+}
+
 std::optional<Affine> Affine::inverse() const noexcept {
+  if (isSingular())
+    return std::nullopt;
   const double factor = 1.0 / determinant();
   const Vec3d row0 = cross(columns_[1], columns_[2]) * factor;
   const Vec3d row1 = cross(columns_[2], columns_[0]) * factor;

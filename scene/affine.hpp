@@ -36,6 +36,9 @@ class Affine {
   [[nodiscard]] const Vec3d& origin() const noexcept { return origin_; }
   [[nodiscard]] double determinant() const noexcept;
   [[nodiscard]] bool isFinite() const noexcept;
+  /// Whether it presses space flat, as far as can be told: entries that are off by some units in
+  /// their last places could be those of a map that does.
+  [[nodiscard]] bool isSingular() const noexcept;
 
   /// Nothing if the map is singular or its inverse is not finite.
   [[nodiscard]] std::optional<Affine> inverse() const noexcept;

@@ -1,6 +1,7 @@
 #include "scene/json_format/material_table.hpp"
 
 #include "scene/json_format/value_reader.hpp"
+#include "scene/value_ranges.hpp"
 
 #include <array>
 #include <utility>
@@ -65,7 +66,7 @@ Material MaterialTable::readMaterial(const Value& value) {
     material.ambient = material.diffuse;
   if (const Value* index = object.find("index")) {
     material.index = readNumber(*index, "index");
-    if (!(material.index.value > 0.0)) {
+    if (!isPositive(material.index.value)) {
       throw text_.malformed(index->offset, "\"index\" must be greater than 0",
                             "Give an index of refraction, as 1.5 for glass.");
     }

@@ -143,7 +143,7 @@ class TreeBuilder {
   Value& place(std::size_t offset) {
     if (++valueCount_ > kMaxValueCount) {
       throw Error(ErrorCode::CapacityExceeded,
-                  "has more than " + std::to_string(kMaxValueCount) + " values",
+                  "the file has more than " + std::to_string(kMaxValueCount) + " values",
                   "Keep large meshes in model files, and name those in the scene.",
                   text_.placeOf(offset));
     }
@@ -172,9 +172,11 @@ class TreeBuilder {
   bool open(Content content) {
     Value& value = put(std::move(content));
     if (open_.size() >= kMaxNestingDepth) {
-      throw text_.malformed(value.offset,
-                            "is nested deeper than " + std::to_string(kMaxNestingDepth) + " levels",
-                            "Take groups apart, or leave brackets out.");
+      throw text_.malformed(
+          value.offset,
+          "the file is nested deeper than " + std::to_string(kMaxNestingDepth) + " levels",
+          "Take groups apart, or leave brackets out: " + std::to_string(kMaxGroupDepth) +
+              " groups may stand in each other.");
     }
     // Nothing is added beside an open value, so it stays where it is.
     open_.push_back(&value);

@@ -8,7 +8,10 @@
 namespace planetree::scene::json_format {
 
 /// Deeper than any scene is built by hand, and shallow enough to walk by recursion.
-inline constexpr std::size_t kMaxNestingDepth = 64;
+inline constexpr std::size_t kMaxGroupDepth = 100;
+/// Two levels for the scene and its shapes, two for each group, and in the innermost one that of a
+/// shape and four for the axis in a step of its transform.
+inline constexpr std::size_t kMaxNestingDepth = 2 + 2 * kMaxGroupDepth + 5;
 /// Keeps what is made of a file in proportion to it: values take more memory than their text.
 inline constexpr std::size_t kMaxValueCount = std::size_t{1} << 22u;
 

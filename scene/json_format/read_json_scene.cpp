@@ -173,7 +173,7 @@ SceneDescription readJsonScene(std::span<const std::byte> bytes, const std::stri
   const JsonText text(bytes, name);
   if (bytes.size() > kMaxFileSize) {
     throw Error(ErrorCode::CapacityExceeded,
-                "goes on beyond " + std::to_string(kMaxFileSize) + " bytes",
+                "the file goes on beyond " + std::to_string(kMaxFileSize) + " bytes",
                 "Keep large meshes in model files, and name those in the scene.",
                 text.placeOf(kMaxFileSize));
   }

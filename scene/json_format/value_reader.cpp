@@ -1,5 +1,6 @@
 #include "scene/json_format/value_reader.hpp"
 
+#include "scene/value_ranges.hpp"
 #include "support/nearest_name.hpp"
 
 #include <algorithm>
@@ -95,7 +96,7 @@ double numberOf(const JsonText& text, const Value& value, std::string_view what)
 
 double positiveNumberOf(const JsonText& text, const Value& value, std::string_view what) {
   const double number = numberOf(text, value, what);
-  if (!(number > 0.0)) {
+  if (!isPositive(number)) {
     throw text.malformed(value.offset, joined(what, " must be greater than 0"),
                          "Give a positive number.");
   }
@@ -104,7 +105,7 @@ double positiveNumberOf(const JsonText& text, const Value& value, std::string_vi
 
 double amountOf(const JsonText& text, const Value& value, std::string_view what) {
   const double number = numberOf(text, value, what);
-  if (!(number >= 0.0))
+  if (!isAmount(number))
     throw text.malformed(value.offset, joined(what, " is negative"), "Give 0 or more.");
   return number;
 }

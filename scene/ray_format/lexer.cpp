@@ -8,6 +8,7 @@ namespace planetree::scene::ray_format {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kLineEnds = "\r\n";
 
 // Not those of <cctype>, which depend on the locale.
 constexpr bool isDigit(char c) noexcept {
@@ -25,6 +26,12 @@ constexpr bool isOfNumber(char c) noexcept {
 }
 constexpr bool isPunctuation(char c) noexcept {
   return std::string_view("(){},;=").find(c) != std::string_view::npos;
+}
+
+/// Whether a line ends with this byte: "\n", "\r\n", and "\r" alone, as on old Macs.
+bool endsLine(std::string_view text, std::size_t offset) noexcept {
+  return text[offset] == '\n' ||
+         (text[offset] == '\r' && !text.substr(offset + 1).starts_with('\n'));
 }
 
 template <class Predicate>
@@ -77,14 +84,14 @@ Token Lexer::next() {
 void Lexer::skipBlanksAndComments() {
   while (offset_ < text_.size()) {
     const char c = text_[offset_];
-    if (c == '\n') {
+    if (endsLine(text_, offset_)) {
       ++offset_;
       ++line_;
       lineOffset_ = offset_;
     } else if (planetree::detail::isBlank(c)) {
       ++offset_;
     } else if (rest().starts_with("//")) {
-      offset_ = std::min(text_.find('\n', offset_), text_.size());
+      offset_ = std::min(text_.find_first_of(kLineEnds, offset_), text_.size());
     } else if (rest().starts_with("/*")) {
       skipLongComment();
     } else {
@@ -98,18 +105,19 @@ void Lexer::skipLongComment() {
   if (end == std::string_view::npos)
     throw malformed(place(), "expected the end of the comment, found the end of the file",
                     "Close the comment that begins here with */");
-  const std::string_view comment = text_.substr(offset_, end - offset_);
-  line_ += std::count(comment.begin(), comment.end(), '\n');
-  const std::size_t lastLine = comment.rfind('\n');
-  if (lastLine != std::string_view::npos)
-    lineOffset_ = offset_ + lastLine + 1;
+  for (; offset_ < end; ++offset_) {
+    if (endsLine(text_, offset_)) {
+      ++line_;
+      lineOffset_ = offset_ + 1;
+    }
+  }
   offset_ = end + 2;
 }
 
 Token Lexer::string() {
   const std::string_view behindQuote = rest().substr(1);
-  const std::size_t length = std::min(behindQuote.find_first_of("\"\n"), behindQuote.size());
-  if (length == behindQuote.size() || behindQuote[length] == '\n') {
+  const std::size_t length = std::min(behindQuote.find_first_of("\"\r\n"), behindQuote.size());
+  if (length == behindQuote.size() || behindQuote[length] != '"') {
     throw malformed(place(), "expected a closing quote in the line of the opening one, found none",
                     "Close the text that begins here with \"");
   }

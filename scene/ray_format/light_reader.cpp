@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace planetree::scene::ray_format {
 namespace {
@@ -9,6 +10,8 @@ namespace {
 constexpr const BlockSyntax& kAmbientSyntax = blockNamed("ambient_light");
 constexpr const BlockSyntax& kDirectionalSyntax = blockNamed("directional_light");
 constexpr const BlockSyntax& kPointSyntax = blockNamed("point_light");
+
+constexpr std::string_view kCoefficient = "a coefficient of attenuation";
 
 Vec3d require(const TokenReader& tokens, const std::optional<Vec3d>& given, const Token& light,
               const std::string& keyword) {
@@ -23,7 +26,7 @@ Vec3d require(const TokenReader& tokens, const std::optional<Vec3d>& given, cons
 
 void readAmbientLight(TokenReader& tokens, const Token& light, SceneDescription& scene) {
   std::optional<Vec3d> colour;
-  tokens.block(kAmbientSyntax, [&](const Token& keyword) { colour = tokens.vectorOf(keyword); });
+  tokens.block(kAmbientSyntax, [&](const Token& keyword) { colour = tokens.colourOf(keyword); });
   scene.ambientLight = scene.ambientLight + require(tokens, colour, light, "color");
 }
 
@@ -31,8 +34,10 @@ void readDirectionalLight(TokenReader& tokens, const Token& light, SceneDescript
   std::optional<Vec3d> direction;
   std::optional<Vec3d> colour;
   tokens.block(kDirectionalSyntax, [&](const Token& keyword) {
-    const Vec3d value = tokens.vectorOf(keyword);
-    (keyword.text == "direction" ? direction : colour) = value;
+    if (keyword.text == "direction")
+      direction = tokens.vectorOf(keyword);
+    else
+      colour = tokens.colourOf(keyword);
     if (direction == Vec3d{0, 0, 0}) {
       throw tokens.malformed(keyword.place, "the \"direction\" is (0, 0, 0)",
                              "Say in which direction the light travels");
@@ -54,13 +59,13 @@ void readPointLight(TokenReader& tokens, const Token& light, SceneDescription& s
     if (keyword.text == "position")
       position = tokens.vectorOf(keyword);
     else if (keyword.text == "color")
-      colour = tokens.vectorOf(keyword);
+      colour = tokens.colourOf(keyword);
     else if (keyword.text == "constant_attenuation_coeff")
-      result.constant = tokens.numberOf(keyword);
+      result.constant = tokens.amountOf(keyword, kCoefficient);
     else if (keyword.text == "linear_attenuation_coeff")
-      result.linear = tokens.numberOf(keyword);
+      result.linear = tokens.amountOf(keyword, kCoefficient);
     else
-      result.quadratic = tokens.numberOf(keyword);
+      result.quadratic = tokens.amountOf(keyword, kCoefficient);
   });
   result.position = require(tokens, position, light, "position");
   result.colour = require(tokens, colour, light, "color");

@@ -64,12 +64,15 @@ std::uint32_t MaterialReader::readBlock(TokenReader& tokens, std::uint32_t surro
       return;
     }
     tokens.expectEquals(keyword);
-    if (keyword.text == "index")
-      material.index = readNumber(tokens, 1.0);
-    else if (keyword.text == "shininess")
-      material.shininess = readNumber(tokens, kLargestShininess);
-    else
+    if (keyword.text == "index") {
+      material.index =
+          readNumber(tokens, 1.0, [&] { return tokens.positiveNumber("an index of refraction"); });
+    } else if (keyword.text == "shininess") {
+      material.shininess =
+          readNumber(tokens, kLargestShininess, [&] { return tokens.amount("a shininess"); });
+    } else {
       *colourOf(material, keyword.text) = readColour(tokens);
+    }
   });
 
   const bool isNamed = name.isName();
@@ -103,17 +106,19 @@ ColourSource MaterialReader::readColour(TokenReader& tokens) {
     throw tokens.unexpected(tokens.peek(), "a colour or a map",
                             "Write three numbers, (red, green, blue), or map(\"file.png\")");
   }
-  return {tokens.vector(), {}};
+  return {tokens.colour(), {}};
 }
 
-NumberSource MaterialReader::readNumber(TokenReader& tokens, double factorOfMap) {
+template <class ReadPlain>
+NumberSource MaterialReader::readNumber(TokenReader& tokens, double factorOfMap,
+                                        ReadPlain readPlain) {
   if (tokens.peek().isWord(kMap))
     return {factorOfMap, readMap(tokens)};
   if (tokens.peek().kind != TokenKind::Number) {
     throw tokens.unexpected(tokens.peek(), "a number or a map",
                             "Write a number such as 1.5, or map(\"file.png\")");
   }
-  return {tokens.number(), {}};
+  return {readPlain(), {}};
 }
 
 std::uint32_t MaterialReader::readMap(TokenReader& tokens) {

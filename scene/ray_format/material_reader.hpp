@@ -35,7 +35,10 @@ class MaterialReader {
 
   [[nodiscard]] std::uint32_t readBlock(TokenReader& tokens, std::uint32_t surrounding);
   [[nodiscard]] ColourSource readColour(TokenReader& tokens);
-  [[nodiscard]] NumberSource readNumber(TokenReader& tokens, double factorOfMap);
+  /// An image, which takes this factor, or what `readPlain()` returns.
+  template <class ReadPlain>
+  [[nodiscard]] NumberSource readNumber(TokenReader& tokens, double factorOfMap,
+                                        ReadPlain readPlain);
   [[nodiscard]] std::uint32_t readMap(TokenReader& tokens);
   [[nodiscard]] std::uint32_t find(const TokenReader& tokens, const Token& name) const;
 

@@ -42,6 +42,12 @@ std::string adviseInGroup(const Token& token) {
   return adviseNearest(token, std::span(kSceneKeywords).subspan(4), kGroupAdvice);
 }
 
+std::string adviseInTransform(const Token& token) {
+  if (token.isWord("material"))
+    return "Put it into the shape, or both into a group, { material = ...; ... }";
+  return adviseInGroup(token);
+}
+
 }  // namespace
 
 SceneReader::SceneReader(const Lexer& lexer, const std::filesystem::path& folder,
@@ -141,7 +147,7 @@ void SceneReader::readInTransform(const Token& token) {
     transform.isFilled = true;
     if (!readElement(token)) {
       throw tokens_.unexpected(token, "a shape, transform or group to be transformed",
-                               adviseInGroup(token));
+                               adviseInTransform(token));
     }
     return;
   }

@@ -31,9 +31,11 @@ struct Token {
   [[nodiscard]] bool isWord(std::string_view word) const noexcept {
     return kind == TokenKind::Word && text == word;
   }
-  /// Material names and names of files may stand with or without quotes.
+  /// Material names and names of files may stand with or without quotes, and begin with a digit:
+  /// where a name is expected, "3d" is one, and so is "3".
   [[nodiscard]] bool isName() const noexcept {
-    return kind == TokenKind::Word || kind == TokenKind::String;
+    return kind == TokenKind::Word || kind == TokenKind::String ||
+           (kind == TokenKind::Number && text.find_first_of("+-.") == std::string_view::npos);
   }
 };
 

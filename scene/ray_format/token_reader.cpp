@@ -1,5 +1,6 @@
 #include "scene/ray_format/token_reader.hpp"
 
+#include "scene/value_ranges.hpp"
 #include "support/nearest_name.hpp"
 #include "support/parse_number.hpp"
 #include "support/text_lines.hpp"
@@ -59,8 +60,8 @@ double TokenReader::number() {
   return *value;
 }
 
-template <std::size_t count>
-std::array<double, count> TokenReader::numbers() {
+template <std::size_t count, class ReadNumber>
+std::array<double, count> TokenReader::numbers(ReadNumber readNumber) {
   constexpr std::string_view kAdvice = count == 2   ? "Two numbers belong here: (u, v)"
                                        : count == 3 ? "Three numbers belong here: (x, y, z)"
                                                     : "Four numbers belong here: (a, b, c, d)";
@@ -69,21 +70,43 @@ std::array<double, count> TokenReader::numbers() {
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0)
       expect(',', "", kAdvice);
-    values[i] = number();
+    values[i] = readNumber();
   }
   expect(')', "", kAdvice);
   return values;
 }
 
 std::array<double, 4> TokenReader::fourNumbers() {
-  return numbers<4>();
+  return numbers<4>([this] { return number(); });
 }
 std::array<double, 2> TokenReader::twoNumbers() {
-  return numbers<2>();
+  return numbers<2>([this] { return number(); });
 }
 
 Vec3d TokenReader::vector() {
-  const std::array<double, 3> values = numbers<3>();
+  const std::array<double, 3> values = numbers<3>([this] { return number(); });
+  return {values[0], values[1], values[2]};
+}
+
+double TokenReader::amount(std::string_view what) {
+  const Token token = next_;
+  const double value = number();
+  if (!isAmount(value))
+    throw unexpected(token, std::string(what) + " of 0 or more", "It cannot be negative");
+  return value;
+}
+
+double TokenReader::positiveNumber(std::string_view what) {
+  const Token token = next_;
+  const double value = number();
+  if (!isPositive(value)) {
+    throw unexpected(token, std::string(what) + " above 0", "It can be neither negative nor 0");
+  }
+  return value;
+}
+
+Vec3d TokenReader::colour() {
+  const std::array<double, 3> values = numbers<3>([this] { return amount("a part of a colour"); });
   return {values[0], values[1], values[2]};
 }
 
@@ -112,6 +135,16 @@ double TokenReader::numberOf(const Token& keyword) {
 Vec3d TokenReader::vectorOf(const Token& keyword) {
   expectEquals(keyword);
   return vector();
+}
+
+double TokenReader::amountOf(const Token& keyword, std::string_view what) {
+  expectEquals(keyword);
+  return amount(what);
+}
+
+Vec3d TokenReader::colourOf(const Token& keyword) {
+  expectEquals(keyword);
+  return colour();
 }
 
 Token TokenReader::nameOf(std::string_view whose) {

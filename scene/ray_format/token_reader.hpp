@@ -41,6 +41,12 @@ class TokenReader {
   [[nodiscard]] std::array<double, 4> fourNumbers();
   [[nodiscard]] Vec3d vector();
   [[nodiscard]] std::array<double, 2> twoNumbers();
+  /// Zero or more. `what` is what it is: "a shininess".
+  [[nodiscard]] double amount(std::string_view what);
+  /// More than zero.
+  [[nodiscard]] double positiveNumber(std::string_view what);
+  /// "(red, green, blue)", none of them negative.
+  [[nodiscard]] Vec3d colour();
   [[nodiscard]] bool boolean();
   /// A word or a string, not empty.
   [[nodiscard]] Token name(std::string_view whose);
@@ -48,6 +54,8 @@ class TokenReader {
   /// "= (x, y, z)" and the like, behind this keyword.
   [[nodiscard]] double numberOf(const Token& keyword);
   [[nodiscard]] Vec3d vectorOf(const Token& keyword);
+  [[nodiscard]] double amountOf(const Token& keyword, std::string_view what);
+  [[nodiscard]] Vec3d colourOf(const Token& keyword);
   /// "= name" or "name", behind its keyword.
   [[nodiscard]] Token nameOf(std::string_view whose);
 
@@ -87,8 +95,9 @@ class TokenReader {
     TextPlace begin;
     std::array<std::optional<TextPlace>, BlockSyntax::kMostKeywords> seen = {};
   };
-  template <std::size_t count>
-  [[nodiscard]] std::array<double, count> numbers();
+  /// "(a, b, ...)"; reads each of them by `readNumber()`.
+  template <std::size_t count, class ReadNumber>
+  [[nodiscard]] std::array<double, count> numbers(ReadNumber readNumber);
   [[nodiscard]] OpenBlock beginBlock(const BlockSyntax& syntax);
   [[nodiscard]] bool endsBlock();
   /// The next keyword, in its spelling in the syntax.

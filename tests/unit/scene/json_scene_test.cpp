@@ -317,6 +317,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"({"shapes": [{"type": "box", "transform": [{"matrix":
           [[1, 0, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]}]})",
                 1, 43, "singular"},
+        Refused{R"({"shapes": [{"type": "box", "transform": [{"matrix":
+          [[0.1, 0.2, 0.3, 0], [0.4, 0.5, 0.6, 0], [0.7, 0.8, 0.9, 0], [0, 0, 0, 1]]}]}]})",
+                1, 43, "singular"},
         Refused{R"({"shapes": [{"type": "group", "children": 3}]})", 1, 43, "must be a list"},
         Refused{R"({"background": {"posx": "a"}})", 1, 16, "no \"negx\""}));
 
@@ -346,6 +349,9 @@ TEST(JsonRefusal, OfAMillionBrackets) {
     const Error error = errorOf(text);
     EXPECT_EQ(error.code(), ErrorCode::MalformedFile);
     EXPECT_EQ(error.line(), 2);
+    EXPECT_NE(std::string(error.what()).find(": the file is nested deeper than "),
+              std::string::npos)
+        << error.what();
     // The scene is the first level, and the first bracket stands in column 11.
     EXPECT_EQ(error.column(),
               11 + static_cast<std::int64_t>((json_format::kMaxNestingDepth - 1) * bracket.size()));
@@ -353,15 +359,20 @@ TEST(JsonRefusal, OfAMillionBrackets) {
 }
 
 TEST(JsonScene, GroupsMayBeNestedAsDeepAsTheLimitHas) {
-  // Each group is an object and a list.
-  constexpr std::size_t kDepth = (json_format::kMaxNestingDepth - 2) / 2;
-  std::string text = "{\"shapes\": [";
-  for (std::size_t i = 0; i + 1 < kDepth; ++i)
-    text += R"({"type": "group", "children": [)";
-  text += R"({"type": "box"})";
-  for (std::size_t i = 0; i + 1 < kDepth; ++i)
-    text += "]}";
-  EXPECT_EQ(readText(text + "]}").shapes.size(), 1u);
+  const auto nested = [](std::size_t depth) {
+    std::string text = "{\"shapes\": [";
+    for (std::size_t i = 0; i < depth; ++i)
+      text += R"({"type": "group", "children": [)";
+    text += R"({"type": "box", "transform": [{"rotate": {"axis": [0, 0, 1], "degrees": 90}}],
+                "material": {"diffuse": {"texture": "wood.png", "factor": [1, 1, 1]}}})";
+    for (std::size_t i = 0; i < depth; ++i)
+      text += "]}";
+    return text + "]}";
+  };
+  EXPECT_EQ(readText(nested(60)).shapes.size(), 1u);
+  EXPECT_EQ(readText(nested(100)).shapes.size(), 1u);
+  EXPECT_EQ(json_format::kMaxGroupDepth, 100u);
+  EXPECT_THROW(static_cast<void>(readText(nested(101))), Error);
 }
 
 TEST(JsonRefusal, OfLongFilesAndManyValues) {
@@ -370,6 +381,9 @@ TEST(JsonRefusal, OfLongFilesAndManyValues) {
   EXPECT_EQ(tooLong.code(), ErrorCode::CapacityExceeded);
   EXPECT_EQ(tooLong.line(), 1);
   EXPECT_GT(tooLong.column(), 1'000'000);
+  EXPECT_NE(std::string(tooLong.what()).find(": the file goes on beyond 67108864 bytes"),
+            std::string::npos)
+      << tooLong.what();
   EXPECT_LT(std::string(errorOf(line.substr(0, 1'000'000)).what()).size(), 500u);
 
   std::string zeros = "{\"shapes\": [0";
@@ -377,6 +391,9 @@ TEST(JsonRefusal, OfLongFilesAndManyValues) {
     zeros += ",0";
   const Error tooMany = errorOf(zeros);
   EXPECT_EQ(tooMany.code(), ErrorCode::CapacityExceeded) << tooMany.what();
+  EXPECT_NE(std::string(tooMany.what()).find(": the file has more than 4194304 values"),
+            std::string::npos)
+      << tooMany.what();
 }
 
 TEST(JsonScene, AnyPrefixOfAFileIsAnErrorAndNoCrash) {

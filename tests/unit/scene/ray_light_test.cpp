@@ -82,6 +82,21 @@ TEST(RayLights, HaveADirection) {
             "travels");
 }
 
+TEST(RayLights, HaveNoValuesWithoutMeaning) {
+  const std::string colour =
+      ": expected a part of a colour of 0 or more, found \"-1\". It cannot be negative";
+  EXPECT_EQ(errorOf("ambient_light { color = (-1, 0, 0) }"), "test.ray:2:26" + colour);
+  EXPECT_EQ(errorOf("directional_light { colour = (1, 1, -1) }"), "test.ray:2:37" + colour);
+  EXPECT_EQ(errorOf("point_light { colour = (1, -1, 1) }"), "test.ray:2:28" + colour);
+  for (const std::string keyword : {"constant", "linear", "quadratic"}) {
+    EXPECT_EQ(errorOf("point_light {\n" + keyword + "_attenuation_coeff\n= -0.25 }"),
+              "test.ray:4:3: expected a coefficient of attenuation of 0 or more, found "
+              "\"-0.25\". It cannot be negative");
+  }
+  EXPECT_EQ(errorOf("directional_light { direction = (-1, -1, -1); color = (0, 0, 3) }"),
+            "no error");
+}
+
 TEST(RayLights, StandOutsideOfGroups) {
   EXPECT_EQ(errorOf("{ point_light { } }"),
             "test.ray:2:3: expected a shape, transform, material, group or '}', found "

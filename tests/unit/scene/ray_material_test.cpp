@@ -171,6 +171,26 @@ TEST(RayMaterial, ImagesThatCannotBeReadAreErrorsWhereTheyAreNamed) {
   }
 }
 
+TEST(RayMaterial, HasNoValuesWithoutMeaning) {
+  const auto index = [](const std::string& found) {
+    return "test.ray:2:22: expected an index of refraction above 0, found \"" + found +
+           "\". It can be neither negative nor 0";
+  };
+  EXPECT_EQ(errorOf("material = { index = 0 }"), index("0"));
+  EXPECT_EQ(errorOf("material = { index = -1.5 }"), index("-1.5"));
+  EXPECT_EQ(errorOf("material = { shininess = -1e-9 }"),
+            "test.ray:2:26: expected a shininess of 0 or more, found \"-1e-9\". It cannot be "
+            "negative");
+  for (const std::string keyword :
+       {"emissive", "ambient", "diffuse", "specular", "reflective", "transmissive"}) {
+    EXPECT_EQ(errorOf("material = {\n" + keyword + "\n= (1, 0,\n -0.5) }"),
+              "test.ray:5:2: expected a part of a colour of 0 or more, found \"-0.5\". It cannot "
+              "be negative");
+  }
+  EXPECT_EQ(errorOf("material = { index = 0.01; shininess = 0; diffuse = (-0, 0, 2.5) }"),
+            "no error");
+}
+
 TEST(RayMaterial, TellsWhatItExpects) {
   EXPECT_EQ(errorOf("material { }"),
             "test.ray:2:10: expected '=' behind \"material\", found '{'. Write material = ...");
@@ -186,8 +206,8 @@ TEST(RayMaterial, TellsWhatItExpects) {
   EXPECT_EQ(errorOf("material = { diffuse = map \"a.png\" }"),
             "test.ray:2:28: expected '(' behind \"map\", found the text \"a.png\". Write "
             "map(\"file.png\")");
-  EXPECT_EQ(errorOf("material = { diffuse = map(1) }"),
-            "test.ray:2:28: expected the name of an image file, found \"1\". Write "
+  EXPECT_EQ(errorOf("material = { diffuse = map(.5) }"),
+            "test.ray:2:28: expected the name of an image file, found \".5\". Write "
             "map(\"file.png\")");
   EXPECT_EQ(errorOf("material = { diffuse = map(a.png) }"),
             "test.ray:2:29: expected ')' behind the name of the image file, found \".png\". Write "

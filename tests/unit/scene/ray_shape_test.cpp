@@ -116,7 +116,11 @@ TEST(RayTransform, ThatIsSingularIsAnErrorAtItsPlace) {
   EXPECT_EQ(errorOf("translate(1, 0, 0,\n  scale(0, sphere {}))"), singular("3:3", "scale"));
   EXPECT_EQ(errorOf("transform((1, 2, 3, 0), (2, 4, 6, 0), (0, 0, 1, 0), (0, 0, 0, 1), box {})"),
             singular("2:1", "transform"));
+  EXPECT_EQ(errorOf("transform((.1,.2,.3,0), (.4,.5,.6,0), (.7,.8,.9,0), (0,0,0,1), sphere {})"),
+            singular("2:1", "transform"));
   EXPECT_EQ(errorOf("scale(1e200, box {})"), singular("2:1", "scale"));
+  EXPECT_EQ(errorOf("rotate(1, 2, 3, 1, scale(1, 1e-9, 1, rotate(3, 2, 1, 1, box {})))"),
+            "no error");
   EXPECT_EQ(errorOf("rotate(0, 0, 0, 1, box {})"),
             "test.ray:2:1: the axis of the rotation is (0, 0, 0). Choose another axis: (0, 0, 1) "
             "turns x to y");
@@ -143,7 +147,10 @@ TEST(RayTransform, TakesOneThing) {
             "transform takes one shape, transform or group; put several into a group, { ... }");
   EXPECT_EQ(errorOf("scale(2, material = {})"),
             "test.ray:2:10: expected a shape, transform or group to be transformed, found "
-            "\"material\". Cameras and lights stand outside of all groups and transforms");
+            "\"material\". Put it into the shape, or both into a group, { material = ...; ... }");
+  EXPECT_EQ(errorOf("translate(0,0,0,material={diffuse=(1,0,0)} sphere{})").substr(0, 15),
+            "test.ray:2:17: ");
+  EXPECT_EQ(errorOf("translate(0,0,0,{material={diffuse=(1,0,0)} sphere{}})"), "no error");
   EXPECT_EQ(errorOf("translate(1, 0, 0)"),
             "test.ray:2:18: expected ',' behind the number, found ')'. Write translate(x, y, z, "
             "what)");

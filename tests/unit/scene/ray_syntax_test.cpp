@@ -50,6 +50,17 @@ TEST(RayText, CountsLinesAndColumnsThroughComments) {
   EXPECT_EQ(errorOf("/* \xC3\xA4 */ x").substr(0, 15), "test.ray:2:10: ");  // in bytes
 }
 
+TEST(RayText, LinesMayEndAsOnOldMacs) {
+  EXPECT_EQ(errorOfText("SBT-raytracer 1.0\r// one\r\r  x").substr(0, 14), "test.ray:4:3: ");
+  EXPECT_EQ(errorOfText("SBT-raytracer 1.0\r/* one\r two */ x").substr(0, 14), "test.ray:3:9: ");
+  EXPECT_EQ(errorOfText("SBT-raytracer 1.0\r/* \r\n\n\r*/\r\nx").substr(0, 14), "test.ray:6:1: ");
+  EXPECT_EQ(errorOfText("SBT-raytracer 1.0 // version\r x").substr(0, 14), "test.ray:2:2: ");
+  EXPECT_EQ(errorOf("/*\r*/ x").substr(0, 14), "test.ray:3:4: ");
+  EXPECT_EQ(readText("SBT-raytracer 1.0 // one\rsphere {} // two\rsphere {}").shapes.size(), 2u);
+  EXPECT_EQ(errorOf("sphere { name = \"a\r\" }").substr(0, 33),
+            "test.ray:2:17: expected a closing");
+}
+
 TEST(RayText, NeedsEndsOfCommentsAndStrings) {
   EXPECT_EQ(errorOf("sphere {} /* a\nb"),
             "test.ray:2:11: expected the end of the comment, found the end of the file. Close the "
@@ -166,14 +177,36 @@ TEST(RayText, TellsWhichBracketIsMissing) {
 }
 
 TEST(RayText, NeedsNamesWhereTheyBelong) {
-  EXPECT_EQ(errorOf("sphere { name = 3; }"),
-            "test.ray:2:17: expected the name of a shape, found \"3\". Names with other characters "
-            "than letters, digits and _ stand in quotes");
+  EXPECT_EQ(
+      errorOf("sphere { name = 3.5; }"),
+      "test.ray:2:17: expected the name of a shape, found \"3.5\". Names with other characters "
+      "than letters, digits and _ stand in quotes");
   EXPECT_EQ(errorOf("material = { name = \"\"; }"),
             "test.ray:2:21: expected the name of a material, found the text \"\". Put a name "
             "between the quotes");
   EXPECT_EQ(readStatements("sphere { name \"a (b) // c\" }").shapes[0].name, "a (b) // c");
   EXPECT_EQ(readStatements("sphere { name = camera }").shapes[0].name, "camera");
+}
+
+TEST(RayText, NamesMayBeginWithADigit) {
+  const auto scene = readStatements(
+      "material={name=3d; index=2}sphere{material=3d}material={name 4 index=4}sphere{material=4;"
+      "name=1e5}trimesh{name _9 points=((0,0,0),(1,0,0)) materials=(3d,4)}");
+  ASSERT_EQ(scene.shapes.size(), 3u);
+  EXPECT_EQ(scene.materials.at(scene.shapes[0].material).name, "3d");
+  EXPECT_EQ(scene.materials.at(scene.shapes[1].material).name, "4");
+  EXPECT_EQ(scene.shapes[1].name, "1e5");
+  EXPECT_EQ(scene.shapes[2].name, "_9");
+  const std::string advice =
+      ". Names with other characters than letters, digits and _ stand in quotes";
+  for (const std::string word : {"-3", "3.d", "+3d", "3-d", ".5"}) {
+    EXPECT_EQ(errorOf("sphere { name = " + word + " }"),
+              "test.ray:2:17: expected the name of a shape, found \"" + word + "\"" + advice);
+  }
+  EXPECT_EQ(errorOf("material = { name = 3d } sphere { material = 3e }"),
+            "test.ray:2:46: there is no material \"3e\" so far. Define it before it is used");
+  EXPECT_EQ(errorOf("scale(3d, sphere {})"),
+            "test.ray:2:7: expected a number, found \"3d\". Numbers look like 2, -0.5 or 1e-3");
 }
 
 TEST(RayText, KnowsTheNameOfItsFile) {

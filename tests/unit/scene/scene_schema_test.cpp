@@ -1,6 +1,8 @@
 #include "scene/json_format/object_syntax.hpp"
 #include "scene/read_scene.hpp"
 
+#include <planetree/error.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
@@ -76,7 +78,8 @@ class Validator {
 
   [[nodiscard]] bool accepts(const json& value, const json& schema, const std::string& keyword,
                              const json& operand) const {
-    const std::set<std::string> silent = {"$schema", "$defs", "title", "description", "default"};
+    static const std::set<std::string> silent = {"$schema", "$defs", "title", "description",
+                                                 "default"};
     if (silent.contains(keyword))
       return true;
     if (keyword == "$ref")
@@ -89,6 +92,8 @@ class Validator {
       return typeOf(value) == operand;
     if (keyword == "const")
       return value == operand;
+    if (keyword == "not")
+      return !accepts(value, operand);
     if (value.is_object())
       return acceptsObject(value, schema, keyword, operand);
     if (value.is_array())
@@ -145,11 +150,12 @@ class Validator {
   }
 
   static bool isOfOtherTypes(const std::string& keyword) {
-    const std::set<std::string> known = {"properties",      "required",      "additionalProperties",
-                                         "minProperties",   "maxProperties", "items",
-                                         "minItems",        "maxItems",      "minimum",
-                                         "maximum",         "pattern",       "minLength",
-                                         "exclusiveMinimum"};
+    static const std::set<std::string> known = {
+        "properties",      "required",      "additionalProperties",
+        "minProperties",   "maxProperties", "items",
+        "minItems",        "maxItems",      "minimum",
+        "maximum",         "pattern",       "minLength",
+        "exclusiveMinimum"};
     if (!known.contains(keyword))
       throw std::logic_error("the validator does not know " + keyword);
     return true;
@@ -228,6 +234,116 @@ scene::SceneFileReaders fileReaders() {
                 EXPECT_TRUE(fs::exists(path)) << path;
                 return scene::Texture(1, 1, std::vector<Vec3f>(1));
               }};
+}
+
+/// A scene with every key there is.
+json wholeScene() {
+  return json::parse(R"({
+    "$schema": "scene.schema.json", "title": "All", "ambient_light": "#102030",
+    "camera": {"position": [1, 2, 6], "look_at": [3, 4, 5], "up": [1, 2, 1], "fov": 35,
+               "aspect_ratio": 1.5},
+    "lights": [{"type": "point", "position": [2, 4, 3], "colour": [1, 1, 1], "constant": 1,
+                "linear": 1, "quadratic": 1},
+               {"type": "directional", "direction": [1, 1, 1], "colour": "#ffffff"}],
+    "materials": {
+      "plain": {"emissive": [1, 1, 1], "ambient": [1, 1, 1], "diffuse": [1, 1, 1],
+                "specular": [1, 1, 1], "reflective": [1, 1, 1], "transmissive": [1, 1, 1],
+                "index": 1.5, "shininess": 3},
+      "images": {"diffuse": {"texture": "a.png", "factor": [1, 1, 1]},
+                 "index": {"texture": "a.png", "factor": 1.5},
+                 "shininess": {"texture": "a.png", "factor": 3}}},
+    "background": {"posx": "a", "negx": "a", "posy": "a", "negy": "a", "posz": "a", "negz": "a"},
+    "shapes": [
+      {"type": "sphere", "radius": 2, "name": "a", "material": {"diffuse": [1, 0, 0]},
+       "position": [1, 2, 3],
+       "transform": [{"translate": [1, 2, 3]}, {"rotate": {"axis": [1, 1, 1], "degrees": 30}},
+                     {"scale": 2}, {"scale": [1, 2, 3]},
+                     {"matrix": [[1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]]}]},
+      {"type": "box", "size": 2}, {"type": "box", "size": [1, 2, 3]}, {"type": "square", "size": 2},
+      {"type": "cylinder", "radius": 2, "height": 3, "capped": false},
+      {"type": "cone", "bottom_radius": 2, "top_radius": 1, "height": 2, "capped": true},
+      {"type": "model", "file": "a", "fit": {"lower": [-9, -9, -9], "upper": [9, 9, 9]}},
+      {"type": "group", "children": [{"type": "box"}]}
+    ]})");
+}
+
+bool isRead(const json& scene) {
+  const scene::SceneFileReaders readers = {
+      .model = [](const fs::path&) { return scene::SceneDescription(); },
+      .texture = [](const fs::path&) { return scene::Texture(1, 1, std::vector<Vec3f>(1)); }};
+  const std::string text = scene.dump();
+  try {
+    static_cast<void>(
+        scene::readJsonScene(std::as_bytes(std::span(text)), "test.json", "", readers));
+  } catch (const Error&) {
+    return false;
+  }
+  return true;
+}
+
+/// What depends on more than one value, which no schema can say: names of materials that are there,
+/// matrices that press nothing flat, boxes with room in them.
+bool isBeyondSchemas(const std::string& path, const json& value) {
+  static const std::regex names(".*/material");
+  static const std::regex relations(".*/(matrix|lower|upper)(/.*)?");
+  return (value.is_string() && std::regex_match(path, names)) ||
+         ((value.is_number() || value.is_array()) && std::regex_match(path, relations));
+}
+
+TEST(SceneSchema, TakesAndRefusesTheValuesThatTheReaderDoes) {
+  const Validator validator(schema());
+  const json whole = wholeScene();
+  ASSERT_TRUE(validator.accepts(whole));
+  ASSERT_TRUE(isRead(whole));
+  const json values = json::parse(R"([null, true, -1, 0, 0.5, 179, 180, "", "x", "#12345g", [], {},
+      [1], [1, 1, 1], [1, 0, 1], [1, -1, 1], [0.5, 2, 1e3], [1, 1, 1, 1], ["1", "1", "1"]])");
+  // Of each value itself, and of the lists and objects around it.
+  const json leaves = whole.flatten();
+  std::set<std::string> paths;
+  for (const auto& leaf : leaves.items()) {
+    for (json::json_pointer at(leaf.key()); !at.empty(); at.pop_back())
+      paths.insert(at.to_string());
+  }
+  for (const std::string& path : paths) {
+    for (const json& value : values) {
+      if (isBeyondSchemas(path, value))
+        continue;
+      json changed = whole;
+      changed[json::json_pointer(path)] = value;
+      EXPECT_EQ(validator.accepts(changed), isRead(changed))
+          << path << " = " << value << (isRead(changed) ? " is read" : " is refused");
+    }
+  }
+}
+
+/// All keys that stand for something where they are left out have a default, and those of the
+/// camera make no difference.
+TEST(SceneSchema, HasTheDefaultsOfTheReader) {
+  const json definitions = schema().at("$defs");
+  const std::set<std::string> withoutDefault = {
+      "$schema", "title",     "camera",   "ambient_light", "lights",     "materials",
+      "shapes",  "name",      "material", "transform",     "background", "fit",
+      "ambient", "translate", "rotate",   "scale",         "matrix"};
+  for (const scene::json_format::ObjectSyntax* syntax : scene::json_format::objectSyntaxes()) {
+    const json& properties = definitions.at(std::string(syntax->name)).at("properties");
+    for (const std::string_view key : syntax->optional) {
+      const json& property = properties.at(std::string(key));
+      ASSERT_NE(property.contains("default"), withoutDefault.contains(std::string(key)))
+          << syntax->name << ", " << key;
+    }
+  }
+
+  const auto view = [&](bool isExplicit) {
+    json camera = json::parse(R"({"position": [0, 1, 5], "look_at": [0, 0, 0]})");
+    if (isExplicit) {
+      for (const char* key : {"up", "fov", "aspect_ratio"})
+        camera[key] = definitions.at("camera").at("properties").at(key).at("default");
+    }
+    const std::string text = json{{"camera", camera}}.dump();
+    return *scene::readJsonScene(std::as_bytes(std::span(text)), "a", "", fileReaders()).view;
+  };
+  EXPECT_EQ(view(true).u, view(false).u);
+  EXPECT_EQ(view(true).v, view(false).v);
 }
 
 TEST(SceneExamples, AreRead) {
