@@ -167,9 +167,10 @@ void addTreeOptions(CLI::App& app, TreeOptions& options) {
   addSplitOptions(app, options);
 }
 
-CLI::Option* addCullingFlag(CLI::App& app, bool& cullsBackFaces) {
-  return app.add_flag("--culls-back-faces", cullsBackFaces,
-                      "Leave out surfaces seen from behind: triangles whose corners run clockwise");
+void addCullingFlag(CLI::App& app, bool& cullsBackFaces) {
+  app.add_flag("--culls-back-faces", cullsBackFaces,
+               "Leave out surfaces seen from behind: triangles whose corners run clockwise")
+      ->group("Query");
 }
 
 void addQueryOptions(CLI::App& app, QueryOptions& options) {
@@ -178,7 +179,7 @@ void addQueryOptions(CLI::App& app, QueryOptions& options) {
       ->type_name("BITS")
       ->default_str(fmt::format("{:#x}", options.mask))
       ->group("Query");
-  addCullingFlag(app, options.cullsBackFaces)->group("Query");
+  addCullingFlag(app, options.cullsBackFaces);
   app.add_flag("--crossings", options.crossings,
                "Count edges and vertices so that a ray into a closed mesh hits one triangle there, "
                "not all that meet")

@@ -45,7 +45,7 @@ struct RunOptions {
 /// One option for each member of `BuildOptions`, under its name.
 void addTreeOptions(CLI::App& app, TreeOptions& options);
 /// --culls-back-faces.
-CLI::Option* addCullingFlag(CLI::App& app, bool& cullsBackFaces);
+void addCullingFlag(CLI::App& app, bool& cullsBackFaces);
 /// One option for each member of `QueryOptions` but the filter.
 void addQueryOptions(CLI::App& app, QueryOptions& options);
 void addRayLimits(CLI::App& app, RayLimits& limits);

@@ -284,17 +284,20 @@ CLI::App* addCompareCommand(CLI::App& app, CompareCommand& command) {
            "Draw a picture and the heat of each preset into this PNG file; - is standard output, "
            "and then the table is left out")
       ->type_name("FILE");
+  const std::string sheet = "Contact sheet";
   addValue(compare, "--size", picture.size, parseSize,
            "Width and height of each picture in pixels. With the width alone it is shaped like the "
            "view of the scene, or like 4:3")
       ->type_name("WxH")
-      ->default_str(fmt::format("{}", picture.size.width));
+      ->default_str(fmt::format("{}", picture.size.width))
+      ->group(sheet);
   addModeOption(compare, picture);
   addSampleOptions(compare, picture);
   addWholeNumber(compare, "--heat-max", picture.heatMax, 1,
                  std::numeric_limits<std::uint32_t>::max(),
                  "Steps per ray that the brightest colour of the heat stands for; otherwise as "
-                 "many as the presets need");
+                 "many as the presets need")
+      ->group(sheet);
   addViewOptions(compare, picture);
   addWhittedOptions(compare, picture);
   addCellsOption(compare, picture);

@@ -20,12 +20,12 @@ constexpr const char* kTreeViewGroup = "Look at the tree";
 constexpr const char* kFooter = R"(Pictures:
   PNG           what a screen shows. Heat has a legend below it: the file is
                 higher than --size says, and the picture itself is not
-  EXR           numbers. R, G, B, A is the picture in linear light; A is
-                1 where a surface is, and in mode whitted; Z the depth, N.X, N.Y, N.Z the normal,
-                albedo.R, G, B the albedo, steps, steps.splitNodes,
-                steps.leafNodes, steps.objects the work of a ray, each in its
-                mode, and the first three in mode whitted, too; cells.R, G,
-                B, A the cells
+  EXR           numbers. R, G, B, A is the picture in linear light, A the part
+                with a surface, in mode whitted all; Z the depth, N.X, N.Y,
+                N.Z the normal, albedo.R, G, B the albedo, steps,
+                steps.splitNodes, steps.leafNodes, steps.objects the work of a
+                ray, each in its mode, and the first three in mode whitted,
+                too; cells.R, G, B, A the cells
   Both say how they were made, down to the command that makes them again.
 
 Ctrl-C while it renders writes the picture as far as it is; a second one ends
@@ -158,7 +158,6 @@ void addWhittedOptions(CLI::App& app, RenderCommand& command) {
   app.add_flag("--flat", command.isFlat,
                "Leave out the normals that meshes have at their corners, also in mode normals")
       ->group(group);
-  addCullingFlag(app, command.cullsBackFaces)->group(group);
   addValue(app, "--background", options.background, parseCubeMap,
            "What is seen behind everything: six images of a cube map, posx, negx, posy, negy, posz "
            "and negz")
@@ -201,6 +200,7 @@ CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
   addSampleOptions(render, command);
   addViewOptions(render, command);
   addWhittedOptions(render, command);
+  addCullingFlag(render, command.cullsBackFaces);
   addCellsOption(render, command);
   addHeatOptions(render, command);
   addTreeOptions(render, command.tree);
