@@ -71,6 +71,7 @@ bool addDefaultLighting(SceneDescription& scene) {
   }
   scene.pointLights = {lightAt(key, kKey), lightAt(fill, kFill)};
   scene.ambientLight = {kAmbient, kAmbient, kAmbient};
+  scene.hasDefaultLighting = true;
   return true;
 }
 

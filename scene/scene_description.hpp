@@ -68,6 +68,7 @@ struct SceneDescription {
   Vec3d ambientLight{0, 0, 0};
   std::vector<PointLight> pointLights;
   std::vector<DirectionalLight> directionalLights;
+  bool hasDefaultLighting = false;  ///< the lights are those of `addDefaultLighting`
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<PlacedShape> shapes;

@@ -25,10 +25,12 @@ bool shines(const scene::Material& material) noexcept {
   return material.emissive.texture || material.emissive.value != Vec3d{0, 0, 0};
 }
 
-/// Whether Whitted's shading shows anything but black.
+/// Whether anything shines in the scene by itself: then Whitted's shading shows it as it was meant.
 bool isLit(const scene::SceneDescription& description) noexcept {
-  return !description.pointLights.empty() || !description.directionalLights.empty() ||
-         description.ambientLight != Vec3d{0, 0, 0} || description.background ||
+  const bool hasLights = !description.pointLights.empty() ||
+                         !description.directionalLights.empty() ||
+                         description.ambientLight != Vec3d{0, 0, 0};
+  return (hasLights && !description.hasDefaultLighting) || description.background ||
          std::ranges::any_of(description.materials, shines);
 }
 

@@ -112,12 +112,10 @@ void addSubjectArgument(CLI::App& app, RenderCommand& command, const std::string
 }
 
 void addModeOption(CLI::App& app, RenderCommand& command) {
-  addValue(
-      app, "--mode", command.mode, parseMode,
-      "What to show: whitted (materials and lights, with mirrors, glass and shadows), ao "
-      "(ambient occlusion), normals, depth (near is bright), albedo (colours without light), "
-      "or heat (work of each ray). Otherwise whitted for scenes with lights, and for models in "
-      "formats with materials; ao for all else")
+  addValue(app, "--mode", command.mode, parseMode,
+           "What to show: whitted (materials and lights, with mirrors, glass and shadows), ao "
+           "(ambient occlusion), normals, depth (near is bright), albedo (colours without light), "
+           "or heat (work of each ray). Otherwise whitted for what has lights, and ao")
       ->type_name("whitted|ao|normals|depth|albedo|heat");
 }
 
