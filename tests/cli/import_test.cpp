@@ -57,9 +57,9 @@ TEST_F(Import, ModelsOfOtherFormatsAreRendered) {
   expectSaid(result, "squares.dae: 2 shapes, ");
   expectSaid(result, "  a point, line or curve is left out: it cannot be hit\n");
   expectSaid(result, "tree of 4 objects, built in ");
+  EXPECT_TRUE(isPng(readFile("squares.png"), 24, 16));
   const ToolResult inNumbers = run({"render", "squares.dae", "--json", "-q", "--size", "8"});
   EXPECT_NE(inNumbers.out.find("\"mode\": \"ao\""), std::string::npos) << inNumbers.out;
-  EXPECT_TRUE(isPng(readFile("squares.png"), 24, 16));
 }
 
 TEST_F(Import, FormatsWithMaterialsHaveTheirLightsAndTheirCameraInEveryMode) {
