@@ -38,13 +38,7 @@ std::uint64_t mostTexelsIn(std::span<const std::byte> bytes) noexcept {
 }  // namespace
 
 Texture readTexture(const std::filesystem::path& path) {
-  // A device may have no end, and opening a pipe may wait for ever.
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::is_other(status)) {
-    throw failed(ErrorCode::FileNotReadable, "it is a device or a pipe, not a file",
-                 "Name an image file", path.string());
-  }
+  planetree::detail::refuseDeviceOrPipe(path, "Name an image file");
   const planetree::detail::FileContent content = planetree::detail::readFile(path);
   return readTexture(content.bytes(), path.string());
 }

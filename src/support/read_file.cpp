@@ -86,6 +86,14 @@ void requireReadable(const std::filesystem::path& path) {
   static_cast<void>(openFile(path));
 }
 
+void refuseDeviceOrPipe(const std::filesystem::path& path, const std::string& advice) {
+  std::error_code ignored;
+  if (std::filesystem::is_other(std::filesystem::status(path, ignored))) {
+    throw Error(ErrorCode::FileNotReadable, "it is a device or a pipe, not a file", advice,
+                Error::Place{path.string()});
+  }
+}
+
 FileContent readFile(const std::filesystem::path& path) {
   const FileHandle file = openFile(path);
   const std::optional<FileState> before = stateOf(file.get());

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace planetree::detail {
@@ -26,6 +27,10 @@ class FileContent {
 
 /// Throws `Error` with `FileNotReadable` if the file cannot be opened to read it.
 void requireReadable(const std::filesystem::path& path);
+
+/// Throws `Error` with `FileNotReadable` and this advice if it is a device or a pipe. For files
+/// that another one names: a device may have no end, and opening a pipe may wait for ever.
+void refuseDeviceOrPipe(const std::filesystem::path& path, const std::string& advice);
 
 /// Reads a whole file; pipes are read to their end. Throws `Error` with `FileNotReadable`, also for
 /// a file that is written to meanwhile.

@@ -6,8 +6,7 @@
 #include "import/import_scene.hpp"
 #include "import/own_formats.hpp"
 #include "scene/read_scene.hpp"
-
-#include <planetree/error.hpp>
+#include "support/read_file.hpp"
 
 #include <array>
 #include <fstream>
@@ -36,12 +35,7 @@ bool isJsonScene(const std::filesystem::path& path) {
 }
 
 scene::SceneDescription readModelOfScene(const std::filesystem::path& path) {
-  // A device may have no end, and opening a pipe may wait for ever.
-  std::error_code ignored;
-  if (std::filesystem::is_other(std::filesystem::status(path, ignored))) {
-    throw Error(ErrorCode::FileNotReadable, "it is a device or a pipe, not a file",
-                "Name a file with a model.", Error::Place{.file = path.string()});
-  }
+  planetree::detail::refuseDeviceOrPipe(path, "Name a file with a model.");
   return importing::importScene(path);
 }
 
